@@ -1,0 +1,16 @@
+/// Everything at once. Each header also compiles alone.
+#pragma once
+
+#include <surefoot/error.hpp>
+#include <surefoot/hit.hpp>
+#include <surefoot/march.hpp>
+#include <surefoot/math.hpp>
+#include <surefoot/mesh.hpp>
+#include <surefoot/overlap.hpp>
+#include <surefoot/pair.hpp>
+#include <surefoot/ray.hpp>
+#include <surefoot/shapes.hpp>
+#include <surefoot/slab.hpp>
+#include <surefoot/sweep.hpp>
+#include <surefoot/trace.hpp>
+#include <surefoot/version.hpp>
