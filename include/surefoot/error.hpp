@@ -31,4 +31,4 @@ template <typename T>
 using Expected = tl::expected<T, Error>;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

@@ -36,4 +36,4 @@ struct Hit {
 static_assert(std::is_trivially_copyable_v<Hit> && sizeof(Hit) == 72);
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

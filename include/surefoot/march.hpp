@@ -16,13 +16,16 @@
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
+/// What can be a path.
+template <typename T>
+concept PathCallable = std::is_invocable_r_v<dvec3, const T&, double>;
+
 /// A path: any callable `dvec3(double t)` for t in [0, 1]. Non-owning: it must outlive the call it is handed to, and it
 /// may not throw.
 class Path {
 public:
-    template <typename Callable>
-    requires std::is_invocable_r_v<dvec3, const Callable&, double> &&
-        (!std::is_same_v<Callable, Path>)Path(const Callable& callable) noexcept
+    template <PathCallable Callable>
+    Path(const Callable& callable) noexcept
         : callable_(std::addressof(callable)),
           call_([](const void* target, double t) -> dvec3 { return (*static_cast<const Callable*>(target))(t); }) {}
 
@@ -68,4 +71,4 @@ struct MarchHit {
                                             const MarchOptions& options = {});
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

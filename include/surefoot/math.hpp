@@ -53,4 +53,4 @@ static_assert(sizeof(Motion) == 48 && std::is_trivially_copyable_v<Motion>);
 static_assert(sizeof(Triangle) == 72 && std::is_trivially_copyable_v<Triangle>);
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

@@ -81,4 +81,4 @@ private:
 };
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

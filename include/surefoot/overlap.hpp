@@ -47,4 +47,4 @@ struct OverlapOptions {
                                              const OverlapOptions& options = {}) noexcept;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

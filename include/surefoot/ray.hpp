@@ -21,4 +21,4 @@ inline namespace v0 {
                                      const SweepOptions& options = {}) noexcept;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

@@ -52,6 +52,11 @@ struct Cone {
 /// One of the six.
 using Shape = std::variant<Sphere, Ellipsoid, Capsule, Box, Cylinder, Cone>;
 
+/// One of the six types, or `Shape` itself.
+template <typename T>
+concept ShapeType = std::is_same_v<T, Sphere> || std::is_same_v<T, Ellipsoid> || std::is_same_v<T, Capsule> ||
+    std::is_same_v<T, Box> || std::is_same_v<T, Cylinder> || std::is_same_v<T, Cone> || std::is_same_v<T, Shape>;
+
 /// A shape with an orientation. Any of the six shapes converts to an upright volume by itself, so a query can be handed
 /// a shape directly.
 ///
@@ -62,10 +67,10 @@ struct Volume {
     Shape shape;
     dquat orientation{1, 0, 0, 0};  ///< w, x, y, z
 
-    template <typename AnyShape>
-    requires std::is_constructible_v<Shape, const AnyShape&> &&
-        (!std::is_same_v<AnyShape, Volume>)constexpr Volume(const AnyShape& any_shape,
-                                                            const dquat& turned_by = dquat(1, 0, 0, 0)) noexcept
+    constexpr Volume() noexcept = default;
+
+    template <ShapeType AnyShape>
+    constexpr Volume(const AnyShape& any_shape, const dquat& turned_by = dquat(1, 0, 0, 0)) noexcept
         : shape(any_shape), orientation(turned_by) {}
 };
 
@@ -75,4 +80,4 @@ static_assert(std::is_trivially_copyable_v<Volume>);
 [[nodiscard]] bool is_valid(const Volume& volume) noexcept;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

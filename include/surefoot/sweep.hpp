@@ -35,4 +35,4 @@ struct SweepOptions {
                                        const SweepOptions& options = {}, Trace* trace = nullptr) noexcept;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot

@@ -21,4 +21,4 @@ inline constexpr Version header_version{.major = 0, .minor = 1, .patch = 0};
 [[nodiscard]] Version library_version() noexcept;
 
 }  // namespace v0
-}  // namespace gnu::visibility("default")]]surefoot
+}  // namespace surefoot
