@@ -1,0 +1,2 @@
+include("${CMAKE_CURRENT_LIST_DIR}/header_only_package.cmake")
+header_only_package(glm::glm glm)

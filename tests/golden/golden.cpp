@@ -1,0 +1,240 @@
+// Asks the library thousands of seeded questions and prints one hash for each concept. The hashes must be those in
+// golden.txt whatever compiled the library, at whatever optimisation, on whatever machine, and whatever the caller's
+// own flags are.
+//
+//     golden tests/golden/golden.txt             compares
+//     golden tests/golden/golden.txt --update    writes the file anew: only when answers are meant to change
+
+#include <bit>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "queries.hpp"
+
+namespace golden {
+namespace {
+
+constexpr std::array<std::string_view, 6> shape_names{"sphere", "ellipsoid", "capsule", "box", "cylinder", "cone"};
+constexpr int queries_per_concept = 2000;
+
+// Field by field, so that padding never counts, and bit by bit, so that -0 is not 0.
+class Hash {
+public:
+    Hash& operator<<(std::uint64_t word) {
+        state_ = (std::rotl(state_, 23) ^ word) * 0x9fb21c651e98df25u;
+        state_ ^= state_ >> 29;
+        return *this;
+    }
+    Hash& operator<<(double value) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, &value, sizeof word);
+        return *this << word;
+    }
+    Hash& operator<<(const surefoot::dvec3& v) { return *this << v.x << v.y << v.z; }
+    Hash& operator<<(const surefoot::Hit& hit) {
+        return *this << hit.t << hit.point << hit.normal << std::uint64_t{hit.triangle} << std::uint64_t{hit.surface}
+                     << std::uint64_t{hit.body} << static_cast<std::uint64_t>(hit.feature)
+                     << static_cast<std::uint64_t>(hit.status) << static_cast<std::uint64_t>(hit.started_inside);
+    }
+    Hash& operator<<(const surefoot::Overlap& found) {
+        return *this << found.point << found.normal << found.depth << std::uint64_t{found.triangle}
+                     << std::uint64_t{found.surface} << std::uint64_t{found.body}
+                     << static_cast<std::uint64_t>(found.feature) << static_cast<std::uint64_t>(found.status);
+    }
+    Hash& operator<<(const surefoot::MarchHit& met) {
+        return *this << met.hit << met.position << std::uint64_t{met.step};
+    }
+    template <typename T>
+    Hash& operator<<(const std::optional<T>& answer) {
+        *this << std::uint64_t{answer.has_value()};
+        if (answer) {
+            *this << *answer;
+            ++hits_;
+        }
+        return *this;
+    }
+
+    std::uint64_t value() const { return state_; }
+    int hits() const { return hits_; }
+
+private:
+    std::uint64_t state_ = 0x243f6a8885a308d3u;
+    int hits_ = 0;
+};
+
+struct Result {
+    std::uint64_t hash;
+    int hits;
+};
+using Results = std::map<std::string, Result>;
+
+void record(Results& results, std::string name, const Hash& hash) {
+    results.emplace(std::move(name), Result{hash.value(), hash.hits()});
+}
+
+void sweep_each_shape(Results& results) {
+    for (std::size_t kind = 0; kind < shape_names.size(); ++kind) {
+        Queries queries(100 + kind);
+        Hash hash;
+        for (int i = 0; i < queries_per_concept; ++i) {
+            queries.next_family();
+            const surefoot::Volume volume = queries.volume(kind);
+            const surefoot::Motion motion = queries.motion();
+            const surefoot::Triangle triangle = queries.triangle();
+            hash << surefoot::sweep(volume, motion, triangle, {.one_sided = queries.coin()});
+        }
+        record(results, "sweep." + std::string(shape_names[kind]), hash);
+    }
+}
+
+// Coordinates below the smallest normal double: a caller linked with -ffast-math has set the processor to call them 0.
+void sweep_denormal(Results& results) {
+    Queries queries(150);
+    Hash hash;
+    for (int i = 0; i < queries_per_concept; ++i) {
+        const auto minute = [&queries] {
+            std::uint64_t word = queries.random().bits();
+            word &= 0x800fffffffffffffu;
+            return std::bit_cast<double>(word);
+        };
+        const double sign = queries.coin() ? 1.0 : -1.0;
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % shape_names.size());
+        const surefoot::Triangle triangle{{-8, minute(), -8}, {minute(), minute(), 8}, {8, minute(), minute()}};
+        const surefoot::Motion motion{{minute(), 16 * sign, minute()}, {minute(), minute(), minute()}};
+        hash << surefoot::sweep(volume, motion, triangle);
+        hash << surefoot::sweep(volume, {motion.to, motion.from}, triangle);
+        hash << surefoot::ray(motion, triangle);
+    }
+    record(results, "sweep.denormal", hash);
+}
+
+void ray(Results& results) {
+    Queries queries(200);
+    Hash hash;
+    for (int i = 0; i < 2 * queries_per_concept; ++i) {
+        queries.next_family();
+        const surefoot::Motion motion = queries.motion();
+        const surefoot::Triangle triangle = queries.triangle();
+        hash << surefoot::ray(motion, triangle, {.one_sided = queries.coin()});
+    }
+    record(results, "ray", hash);
+}
+
+void overlap_each_shape(Results& results) {
+    for (std::size_t kind = 0; kind < shape_names.size(); ++kind) {
+        Queries queries(300 + kind);
+        Hash hash;
+        for (int i = 0; i < queries_per_concept; ++i) {
+            queries.next_family();
+            const surefoot::Volume volume = queries.volume(kind);
+            const surefoot::dvec3 position = queries.position();
+            const surefoot::Triangle triangle = queries.triangle();
+            hash << surefoot::overlap(volume, position, triangle, {.one_sided = queries.coin()});
+        }
+        record(results, "overlap." + std::string(shape_names[kind]), hash);
+    }
+}
+
+void march(Results& results) {
+    Queries queries(400);
+    Hash hash;
+    for (int i = 0; i < queries_per_concept / 4; ++i) {
+        queries.next_family();
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % shape_names.size());
+        const surefoot::Motion motion = queries.motion();
+        const surefoot::JumpArc arc{.from = motion.from, .velocity = motion.to, .duration = 1.25};
+        const surefoot::Triangle triangle = queries.triangle();
+        // The arc is computed inside the library; a lambda with arithmetic of its own would be the caller's.
+        hash << surefoot::march(volume, arc, triangle, {.steps = 16, .guarded = queries.coin()});
+    }
+    record(results, "march", hash);
+}
+
+void mesh(Results& results) {
+    Queries queries(500);
+    std::vector<surefoot::vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const auto coordinate = [&queries] { return static_cast<float>(queries.random().between(-64, 64)) * 0.125f; };
+        const float x = coordinate();
+        const float y = coordinate();
+        vertices.emplace_back(x, y, coordinate());
+        const auto any = [&queries, i] { return static_cast<std::uint32_t>(queries.random().between(0, i)); };
+        const std::uint32_t a = any();
+        const std::uint32_t b = any();
+        indices.insert(indices.end(), {a, b, any()});
+    }
+    const auto built = surefoot::Mesh::build({.vertices = vertices, .indices = indices});
+    Hash hash;
+    for (int i = 0; built && i < queries_per_concept / 2; ++i) {
+        queries.next_family();
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % shape_names.size());
+        const surefoot::Motion motion = queries.motion();
+        hash << built->sweep(volume, motion) << built->ray(motion);
+        std::array<surefoot::Overlap, 8> found;
+        const std::size_t count = built->overlap(volume, motion.from, found);
+        hash << std::uint64_t{count};
+        for (std::size_t k = 0; k < count && k < found.size(); ++k) hash << found[k];
+    }
+    record(results, "mesh", hash);
+}
+
+Results ask_everything() {
+    Results results;
+    sweep_each_shape(results);
+    sweep_denormal(results);
+    ray(results);
+    overlap_each_shape(results);
+    march(results);
+    mesh(results);
+    return results;
+}
+
+std::map<std::string, std::string> read(const char* path) {
+    std::map<std::string, std::string> expected;
+    std::ifstream file(path);
+    for (std::string name, hash; file >> name >> hash;) expected[name] = hash;
+    return expected;
+}
+
+int run(const char* path, bool update) {
+    const Results results = ask_everything();
+    const auto expected = read(path);
+    std::ofstream file;
+    if (update) file.open(path);
+    int wrong = results.size() == expected.size() ? 0 : 1;
+    for (const auto& [name, result] : results) {
+        char hash[17];
+        std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.hash));
+        const auto found = expected.find(name);
+        const bool same = found != expected.end() && found->second == hash;
+        std::printf("%-18s %s  %5d hits  %s\n", name.c_str(), hash, result.hits, same ? "as expected" : "DIFFERS");
+        if (!same) ++wrong;
+        if (update) file << name << ' ' << hash << '\n';
+    }
+    if (update) return file.flush() ? 0 : (std::fprintf(stderr, "cannot write %s\n", path), 1);
+    if (wrong != 0) {
+        std::fprintf(stderr,
+                     "The answers are not the bits in %s. If they are meant to change, write it anew with --update and "
+                     "say why in the CHANGELOG; if only this build differs from others, it is a defect.\n",
+                     path);
+    }
+    return wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace golden
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: golden FILE [--update]\n");
+        return 2;
+    }
+    return golden::run(argv[1], argc > 2 && std::string_view(argv[2]) == "--update");
+}
