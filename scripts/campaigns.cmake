@@ -1,0 +1,22 @@
+# The long tests of ./test --all, read by ctest itself beside the builds' own tests. Each is one line of the summary.
+get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
+
+set(queries "$ENV{SUREFOOT_PROVE_QUERIES}")
+if(NOT queries)
+  set(queries 10000000)
+endif()
+foreach(shape IN ITEMS sphere ellipsoid capsule box cylinder cone)
+  add_test(campaign.prove.${shape} "${root}/build/release/tools/surefoot" prove --shape ${shape} --queries ${queries})
+  set_tests_properties(campaign.prove.${shape} PROPERTIES TIMEOUT 86400)
+endforeach()
+
+# Ten minutes of fuzzing in all: every target of build/fuzz gets its share.
+set(seconds "$ENV{SUREFOOT_FUZZ_SECONDS}")
+if(NOT seconds)
+  set(seconds 600)
+endif()
+add_test(campaign.fuzz "${root}/scripts/fuzz.sh" ${seconds})
+set_tests_properties(campaign.fuzz PROPERTIES TIMEOUT 86400)
+
+add_test(campaign.clang_tidy "${root}/scripts/tidy.sh")
+set_tests_properties(campaign.clang_tidy PROPERTIES TIMEOUT 86400)

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Runs every fuzz target of build/fuzz for its share of the time. What it finds it leaves in build/fuzz/findings.
+#
+#     scripts/fuzz.sh [SECONDS]                  all targets together take this long (default: 600)
+#     build/fuzz/fuzz/fuzz_sweep FINDING         one finding again
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[[ ${1:-} != --help && ${1:-} != -h ]] || { sed -n '2,5s/^# \{0,1\}//p' "$0"; exit 0; }
+seconds=${1:-600}
+
+targets=()
+while IFS= read -r target; do targets+=("$target"); done < <(find build/fuzz/fuzz -maxdepth 1 -type f -name 'fuzz_*' -executable | sort)
+((${#targets[@]})) || { echo "no fuzz targets: first cmake --preset fuzz && cmake --build build/fuzz"; exit 1; }
+share=$((seconds / ${#targets[@]}))
+
+failed=()
+for target in "${targets[@]}"; do
+    name=$(basename "$target")
+    mkdir -p "build/fuzz/corpus/$name" build/fuzz/findings
+    seeds=()
+    [[ -d fuzz/seeds/$name ]] && seeds+=("fuzz/seeds/$name")
+    echo "== $name for $share s"
+    "$target" -max_total_time="$share" -timeout=10 -rss_limit_mb=4096 -print_final_stats=1 -verbosity=0 \
+        -artifact_prefix="build/fuzz/findings/$name-" "build/fuzz/corpus/$name" "${seeds[@]}" || failed+=("$name")
+done
+((${#failed[@]} == 0)) || { echo "failed: ${failed[*]}; the inputs are in build/fuzz/findings"; exit 1; }
