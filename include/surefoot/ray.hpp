@@ -16,7 +16,7 @@ inline namespace v0 {
 /// triangles that share an edge. Edge-on and in-plane rays meet the edges of the triangle. A ray that starts on the
 /// triangle hits it at t = 0, whichever way it goes (a point has no depth to go to, so this differs from `sweep`).
 /// The normal faces the ray's start; for a ray within the triangle's plane it points back along the ray.
-/// `started_inside` is true when the ray starts on the triangle.
+/// `started_inside` is true when the ray starts on the triangle. A ray of no length meets nothing.
 [[nodiscard]] std::optional<Hit> ray(const Motion& motion, const Triangle& triangle,
                                      const SweepOptions& options = {}) noexcept;
 

@@ -3,8 +3,9 @@
 /// Each shape is described about its reference point, the point that a motion moves, with +Y as its own up. The
 /// reference point is the centre, except for the cone, where it is the apex.
 ///
-/// Limits, for every dimension below: [1e-6 m, 1e6 m], and the largest at most 1e4 times the smallest. A query with a
-/// volume outside these limits is blocked and says `invalid`.
+/// Limits, for every dimension below: [1e-6 m, 1e6 m], and the largest at most 1e4 times the smallest; only a capsule's
+/// half_height may be as small as 0, which makes it a sphere. A query with a volume outside these limits is blocked and
+/// says `invalid`.
 #pragma once
 
 #include <type_traits>
@@ -28,7 +29,7 @@ struct Ellipsoid {
 /// A cylinder with a half ball on each end, standing along its own Y. Its whole height is 2 * (half_height + radius).
 struct Capsule {
     double radius = 0.4;       ///< [m]
-    double half_height = 0.5;  ///< half the straight part, caps not counted [m]
+    double half_height = 0.5;  ///< half the straight part, caps not counted [m, may be 0]
 };
 
 /// A box, its faces square to its own axes.
@@ -61,8 +62,8 @@ concept ShapeType = std::is_same_v<T, Sphere> || std::is_same_v<T, Ellipsoid> ||
 /// a shape directly.
 ///
 /// The orientation turns the shape's own axes into the world's. It need not have unit length: a quaternion q turns v
-/// into exactly q v q* / |q|^2, so a hand-written {0.7, 0, 0.7, 0} is no error. A zero or non-finite one is, and a
-/// query with it is blocked and says `invalid`.
+/// into exactly q v q* / |q|^2, so a hand-written {0.7, 0, 0.7, 0} is no error. A quaternion that is zero or not finite
+/// is (every component within +-2^500, the largest at least 2^-500): a query with it is blocked and says `invalid`.
 struct Volume {
     Shape shape;
     dquat orientation{1, 0, 0, 0};  ///< w, x, y, z

@@ -1,0 +1,33 @@
+// Capsule: M is a prism, the triangle drawn out along the capsule's core, thickened by the radius. Its patches are the
+// prism's faces moved out (the triangle's own plane, and each edge x axis), a cylinder about each of the prism's edges
+// (three at either end, three along the axis), a ball about each of its corners.
+#include "fault.hpp"
+#include "sweep/candidates.hpp"
+#include "sweep/round_features.hpp"
+
+namespace surefoot::internal {
+
+void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& planes) noexcept {
+    const auto consider = [&](const RoundNormals& normals) {
+        planes.consider(normals.first);
+        planes.consider(normals.second);
+    };
+    const Vec axis{0, 1, 0};
+    const Vec ends[2] = {{0, -capsule.half_height, 0}, {0, capsule.half_height, 0}};
+
+    if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
+    for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
+        const Vec edge = query.edge_direction(i);
+        planes.consider_both(cross(scaled_to_one(edge), axis));
+        for (const Vec& end : ends) {
+            consider(ball_against_line(query.edge_start(i) + end, edge, query.along, capsule.radius));
+        }
+    }
+    if (has_fault(Fault::vertices_dropped)) return;
+    for (const Vec& corner : query.corners) {
+        consider(ball_against_line(corner, axis, query.along, capsule.radius));
+        for (const Vec& end : ends) consider(ball_against_point(corner + end, query.along, capsule.radius));
+    }
+}
+
+}  // namespace surefoot::internal

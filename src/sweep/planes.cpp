@@ -1,0 +1,141 @@
+#include "sweep/planes.hpp"
+
+#include <bit>
+
+#include "fault.hpp"
+
+namespace surefoot::internal {
+
+void Planes::consider(const Vec& direction) noexcept {
+    if (free_) return;
+    Plane plane;
+    plane.normal = unit(direction);
+    if (plane.normal == Vec{}) return;
+
+    const double slack_share = has_fault(Fault::one_ulp_late) ? 0.0 : 1.0;
+    double top = dot(plane.normal, query_.corners[0]) + slack_share * query_.corner_slack[0];
+    for (int i = 1; i < 3; ++i) {
+        top = larger(top, dot(plane.normal, query_.corners[i]) + slack_share * query_.corner_slack[i]);
+    }
+    plane.gap = -top - reach_against(query_.shape, plane.normal) - slack_share * query_.shape_slack;
+    plane.approach = dot(plane.normal, query_.along);
+    if (count_ < most_planes) planes_[count_++] = plane;
+
+    const bool apart_at_from = plane.gap > 0;
+    const bool apart_at_to = plane.gap + plane.approach > 0;
+    apart_ = apart_ || apart_at_from;
+    if (apart_at_from && apart_at_to && !(has_fault(Fault::far_end_ignored) && plane.approach < 0)) {
+        free_ = true;
+        record(plane, Verdict::separates, 0);
+    } else if (plane.approach < 0) {
+        const double t = plane.gap / -plane.approach;
+        if (!has_last_ || t > enter_) {
+            has_last_ = true;
+            enter_ = t;
+            last_ = plane;
+        }
+        record(plane, Verdict::enters, t);
+    } else if (plane.approach > 0) {
+        const double t = -plane.gap / plane.approach;
+        if (!has_leave_ || t < leave_) {
+            has_leave_ = true;
+            leave_ = t;
+            first_to_open_ = plane;
+        }
+        record(plane, Verdict::leaves, t);
+    } else {
+        record(plane, Verdict::inside, 0);
+    }
+}
+
+bool Planes::motion_is_free() noexcept {
+    if (!free_ && has_last_ && has_leave_ && leave_ < enter_) {
+        // The motion has left one side before it enters another. The combination is perpendicular to the motion.
+        consider(last_.normal * first_to_open_.approach - first_to_open_.normal * last_.approach);
+    }
+    return free_;
+}
+
+bool Planes::starts_inside() const noexcept {
+    double half_hair = query_.shape_slack;
+    for (const double slack : query_.corner_slack) half_hair = larger(half_hair, slack);
+    half_hair = half_hair / 2;
+    for (const Plane& plane : all()) {
+        if (plane.gap > -half_hair) return false;
+    }
+    return true;
+}
+
+Plane Planes::steadiest_at(double t) const noexcept {
+    double hair = 2 * query_.shape_slack;
+    for (const double slack : query_.corner_slack) hair += slack;
+    Plane best = last_;
+    int most = std::popcount(touched_corners(last_.normal));
+    for (const Plane& plane : all()) {
+        const double gap = plane.gap + t * plane.approach;
+        if (plane.approach >= 0 || gap < -hair || gap > hair) continue;
+        const int touched = std::popcount(touched_corners(plane.normal));
+        if (touched > most) {
+            most = touched;
+            best = plane;
+        }
+    }
+    return best;
+}
+
+Plane Planes::shallowest() const noexcept {
+    Plane best = last_;
+    bool found = false;
+    for (const Plane& plane : all()) {
+        if (plane.approach < 0 && (!found || plane.gap > best.gap)) {
+            best = plane;
+            found = true;
+        }
+    }
+    return best;
+}
+
+unsigned Planes::touched_corners(const Vec& normal) const noexcept {
+    double heights[3];
+    double top = 0;
+    for (int i = 0; i < 3; ++i) {
+        heights[i] = dot(normal, query_.corners[i]);
+        if (i == 0 || heights[i] > top) top = heights[i];
+    }
+    unsigned corners = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+        if (heights[i] >= top - 4 * query_.corner_slack[i]) corners |= 1U << i;
+    }
+    return corners;
+}
+
+void Planes::record(const Plane& plane, Verdict verdict, double t) noexcept {
+    if (trace_ == nullptr) return;
+    const unsigned corners = touched_corners(plane.normal);
+    TraceRecord entry;
+    entry.normal = to_dvec3(query_.frame.to_world(plane.normal));
+    entry.gap_from = plane.gap;
+    entry.gap_to = plane.gap + plane.approach;
+    entry.t = t;
+    entry.feature = feature_of(query_, corners);
+    entry.verdict = verdict;
+    entry.triangle = query_.triangle_id;
+    trace_->push(entry);
+}
+
+Feature feature_of(const SweepQuery& query, unsigned corners) noexcept {
+    // Corners in one place are one corner, and three in a row are an edge.
+    int distinct = 0;
+    Vec seen[3];
+    for (unsigned i = 0; i < 3; ++i) {
+        if ((corners & (1U << i)) == 0) continue;
+        bool known = false;
+        for (int j = 0; j < distinct; ++j) known = known || seen[j] == query.corners[i];
+        if (!known) seen[distinct++] = query.corners[i];
+    }
+    if (distinct == 1) return Feature::vertex;
+    if (distinct == 2) return Feature::edge;
+    return query.face_normal() == Vec{} ? Feature::edge : Feature::face;
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,90 @@
+// The judgement of planes, which every shape shares.
+//
+// M = T (+) (-K) is convex, and the shape's reference point moves along a line. A plane with normal n, pushed against the
+// triangle from the shape's side, leaves the gap
+//
+//     gap(n, t) = n . x(t) - max over T of n . v - max over K of -n . k
+//
+// which is linear in t and, for a unit normal, never more than the true distance. Therefore:
+//  - while any plane has a gap, there is no touch: the last plane to give way is the answer, and it cannot be late;
+//  - a plane with a gap at both ends of the motion proves that there is no touch at all;
+//  - two planes, one that the motion leaves before it enters the other, prove the same: their combination that is
+//    perpendicular to the motion has a gap throughout (M is an intersection of convex sets, and intervals on a line that
+//    meet in pairs have a common point: Helly's theorem).
+// Which planes are worth asking is what the closed forms of each shape know; a plane that was not worth asking does no
+// harm. Every gap here is reduced by the rounding that it may contain, the hair.
+#pragma once
+
+#include <surefoot/trace.hpp>
+
+#include "sweep/query.hpp"
+
+namespace surefoot::internal {
+
+/// A plane with its gap. All in the shape's frame.
+struct Plane {
+    Vec normal;           ///< unit, from the triangle towards the shape
+    double gap = 0;       ///< at `from`, the hair taken off [m]
+    double approach = 0;  ///< what the motion adds to the gap [m]: negative when it closes
+};
+
+class Planes {
+public:
+    Planes(const SweepQuery& query, Trace* trace) noexcept : query_(query), trace_(trace) {}
+
+    /// Judges the plane with this normal, of any length; zero is no plane and is passed over.
+    void consider(const Vec& normal) noexcept;
+
+    /// Judges the plane and its opposite.
+    void consider_both(const Vec& normal) noexcept {
+        consider(normal);
+        consider(-normal);
+    }
+
+    /// Is there a plane with a gap over the whole motion? Call when all planes have been considered.
+    [[nodiscard]] bool motion_is_free() noexcept;
+
+    /// Does some plane have a gap at `from`?
+    [[nodiscard]] bool starts_apart() const noexcept { return apart_; }
+
+    /// Do shape and triangle touch or overlap at `from`, to half a hair? (A contact reported before is a whole hair off.)
+    [[nodiscard]] bool starts_inside() const noexcept;
+
+    /// When the last plane gives way. Requires: not motion_is_free(), starts_apart().
+    [[nodiscard]] double time_of_last() const noexcept { return enter_; }
+
+    /// Among planes that are as good as the last, the one that touches the most of the triangle: where a face and an
+    /// edge are met together, the face's normal is the steadier answer.
+    [[nodiscard]] Plane steadiest_at(double t) const noexcept;
+
+    /// Of the planes that the motion closes on, the one with the least depth at `from`.
+    [[nodiscard]] Plane shallowest() const noexcept;
+
+    /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.
+    [[nodiscard]] unsigned touched_corners(const Vec& normal) const noexcept;
+
+    [[nodiscard]] std::span<const Plane> all() const noexcept { return {planes_, static_cast<std::size_t>(count_)}; }
+
+private:
+    void record(const Plane& plane, Verdict verdict, double t) noexcept;
+
+    static constexpr int most_planes = 96;
+
+    const SweepQuery& query_;
+    Trace* trace_;
+    Plane planes_[most_planes];
+    int count_ = 0;
+    Plane last_;
+    Plane first_to_open_;
+    double enter_ = 0;
+    double leave_ = 0;
+    bool has_last_ = false;
+    bool has_leave_ = false;
+    bool free_ = false;
+    bool apart_ = false;
+};
+
+/// Which part of the triangle a set of corners is.
+[[nodiscard]] Feature feature_of(const SweepQuery& query, unsigned corners) noexcept;
+
+}  // namespace surefoot::internal

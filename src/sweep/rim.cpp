@@ -1,0 +1,43 @@
+#include "sweep/rim.hpp"
+
+#include "exact/products.hpp"
+#include "fault.hpp"
+
+namespace surefoot::internal {
+
+RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const Vec& along, double radius) noexcept {
+    const Vec edge = scaled_to_one(edge_direction);
+    const Vec motion = scaled_to_one(along);
+    if (edge.y == 0) return {};
+    const double climb_sign = edge.y < 0 ? -1.0 : 1.0;
+
+    // From a direction in the plane of the rim to the normal perpendicular to the edge that has it as its sideways part.
+    const auto raised = [&](const Vec& sideways) {
+        return Vec{sideways.x * absolute(edge.y), -climb_sign * (sideways.x * edge.x + sideways.z * edge.z),
+                   sideways.z * absolute(edge.y)};
+    };
+
+    const Vec travel{difference_of_products(motion.x, edge.y, motion.y, edge.x), 0,
+                     difference_of_products(motion.z, edge.y, motion.y, edge.z)};
+    const Vec onward = unit(travel) * climb_sign;
+    const double inflated = radius + inflation_share * (radius + norm1(point));
+    if (onward == Vec{}) {
+        // Along the edge: the crossing stands still.
+        const double share = point.y / edge.y;
+        return {raised({edge.x * share - point.x, 0, edge.z * share - point.z}), {}};
+    }
+    const Vec across{-onward.z, 0, onward.x};
+    // across . crossing, with across . edge_h rewritten by G so that nothing is divided by the climb.
+    const double turn = difference_of_products(edge.z, motion.x, edge.x, motion.z) / length(travel) * climb_sign;
+    const double offset = -(dot(point, across) - point.y * turn);
+    const double distance = absolute(offset);
+    const Vec closest = across * offset;
+    if (distance >= inflated) return {raised(closest), {}};
+    const double half_chord = std::sqrt((inflated - distance) * (inflated + distance));
+    const Vec entry = raised(closest - onward * half_chord);
+    const Vec exit = raised(closest + onward * half_chord);
+    if (has_fault(Fault::larger_root)) return {exit, {}};
+    return {entry, exit};
+}
+
+}  // namespace surefoot::internal

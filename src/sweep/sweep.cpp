@@ -1,0 +1,128 @@
+#include "sweep/sweep.hpp"
+
+#include "fault.hpp"
+#include "limits.hpp"
+#include "sweep/candidates.hpp"
+#include "sweep/contact_point.hpp"
+#include "sweep/planes.hpp"
+#include "sweep/start.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+void propose(const SweepQuery& query, Planes& planes) noexcept {
+    std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
+}
+
+Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Plane& plane,
+             const unsigned corners, double t) noexcept {
+    Hit hit;
+    hit.t = t;
+    hit.triangle = query.triangle_id;
+    hit.feature = feature_of(query, corners);
+    const Vec normal = has_fault(Fault::mirrored_normal) ? -plane.normal : plane.normal;
+    hit.normal = to_dvec3(query.frame.to_world(normal));
+    if (has_fault(Fault::world_normal_not_unsquashed)) {
+        if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
+            hit.normal = to_dvec3(query.frame.to_world(unit(multiply_each(normal, to_vec(ellipsoid->radii)))));
+        }
+    }
+    const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
+    for (unsigned i = 0; i < 3; ++i) {
+        // A vertex is reported as the caller's own numbers.
+        if (hit.feature == Feature::vertex && (corners & (1U << i)) != 0) {
+            hit.point = *world[query.original[i]];
+            return hit;
+        }
+    }
+    const Vec local = contact_point(query, query.along * t, plane.normal);
+    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(local));
+    return hit;
+}
+
+void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& hit) noexcept {
+    if (trace == nullptr) return;
+    TraceRecord record;
+    record.verdict = Verdict::decided;
+    record.triangle = id;
+    if (hit) {
+        record.normal = hit->normal;
+        record.t = hit->t;
+        record.feature = hit->feature;
+    }
+    trace->push(record);
+}
+
+std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
+                                  const Triangle& triangle, const Planes& planes) noexcept {
+    if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
+    const Approach approach = approach_at_start(volume, motion, triangle);
+    if (approach == Approach::overflow) {
+        Hit hit = blocked(HitStatus::overflow);
+        hit.triangle = query.triangle_id;
+        return hit;
+    }
+    if (approach == Approach::no_closer && !has_fault(Fault::start_in_touch_always_blocks)) return std::nullopt;
+    const Plane plane = planes.shallowest();
+    Hit hit = describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), 0);
+    hit.started_inside = planes.starts_inside();
+    return hit;
+}
+
+std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
+                          Trace* trace) noexcept {
+    Planes planes(query, trace);
+    propose(query, planes);
+    if (!planes.motion_is_free() && !planes.starts_apart()) {
+        // In touch at the start, by these planes. Ask those of the standing shape too.
+        SweepQuery standing = query;
+        standing.along = {};
+        propose(standing, planes);
+    }
+    if (planes.motion_is_free()) return std::nullopt;
+    if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);
+
+    const double t = smaller(1, planes.time_of_last());
+    const Plane plane = planes.steadiest_at(t);
+    return describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), t);
+}
+
+}  // namespace
+
+Hit blocked(HitStatus status) noexcept {
+    Hit hit;
+    hit.status = status;
+    return hit;
+}
+
+bool is_valid_query(const Volume& volume, const Motion& motion) noexcept {
+    return is_valid(volume) && is_valid_point(motion.from) && is_valid_point(motion.to);
+}
+
+std::optional<Hit> sweep_triangle(const Volume& volume, const Motion& motion, const Triangle& triangle,
+                                  std::uint32_t id, bool one_sided, Trace* trace) noexcept {
+    // Standing still comes no closer to anything.
+    if (to_vec(motion.from) == to_vec(motion.to)) return std::nullopt;
+    if (one_sided && approach_to_front(motion, triangle) != Approach::deeper) return std::nullopt;
+    const SweepQuery query(volume, motion, triangle, id);
+    const std::optional<Hit> hit = decide(query, volume, motion, triangle, trace);
+    record_decision(trace, id, hit);
+    return hit;
+}
+
+}  // namespace surefoot::internal
+
+namespace surefoot {
+inline namespace v0 {
+
+std::optional<Hit> sweep(const Volume& volume, const Motion& motion, const Triangle& triangle,
+                         const SweepOptions& options, Trace* trace) noexcept {
+    if (!internal::is_valid_query(volume, motion) || !internal::is_valid_triangle(triangle)) {
+        return internal::blocked(HitStatus::invalid);
+    }
+    return internal::sweep_triangle(volume, motion, triangle, 0, options.one_sided, trace);
+}
+
+}  // namespace v0
+}  // namespace surefoot
