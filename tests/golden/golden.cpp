@@ -214,7 +214,8 @@ int run(const char* path, bool update) {
         std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.hash));
         const auto found = expected.find(name);
         const bool same = found != expected.end() && found->second == hash;
-        std::printf("%-18s %s  %5d hits  %s\n", name.c_str(), hash, result.hits, same ? "as expected" : "DIFFERS");
+        const char* verdict = same ? "as expected" : update ? "changed" : "DIFFERS";
+        std::printf("%-18s %s  %5d hits  %s\n", name.c_str(), hash, result.hits, verdict);
         if (!same) ++wrong;
         if (update) file << name << ' ' << hash << '\n';
     }
