@@ -47,23 +47,28 @@ class Plan:
         return None
 
 
-def resolve(root, source, mark, target):
-    """The project's file that an include means; None for a system header; False for a quoted one that is nowhere."""
+def resolve(files, source, mark, target):
+    """The project's file that an include means; None for a system header; False for one of ours that is nowhere."""
     nearby = [source.parent / target] if mark == '"' else []
-    for candidate in [*nearby, *(pathlib.PurePosixPath(base) / target for base in ("include", "src", "."))]:
-        if (root / candidate).is_file():
-            return pathlib.PurePosixPath((root / candidate).resolve().relative_to(root.resolve()))
-    if mark == '"':
-        for folder in ("import", "import/include", "judge", "tools", "fuzz", "examples", "tests"):
-            if (root / folder / target).is_file():
-                return pathlib.PurePosixPath(folder) / target
-        return False
-    if target.startswith("surefoot/"):
-        for folder in ("import/include", "import"):
-            if (root / folder / target).is_file():
-                return pathlib.PurePosixPath(folder) / target
-        return False
-    return None
+    for candidate in [*nearby, *(pathlib.PurePosixPath(base) / target for base in ("include", "src"))]:
+        if normal(candidate) in files:
+            return normal(candidate)
+    if mark == "<" and not target.startswith("surefoot/"):
+        return None
+    # The wings have include folders of their own: anything whose path ends so, of the same wing if there is a choice.
+    ends = [path for path in sorted(files) if str(path).endswith("/" + target)]
+    return next((path for path in ends if path.parts[0] == source.parts[0]), ends[0] if ends else False)
+
+
+def normal(path):
+    """Without `..`, which PurePosixPath leaves in."""
+    parts = []
+    for part in path.parts:
+        if part == ".." and parts:
+            parts.pop()
+        else:
+            parts.append(part)
+    return pathlib.PurePosixPath(*parts)
 
 
 def is_core(path):
@@ -126,12 +131,14 @@ def check(root):
     """All complaints about the tree at `root`, and how many includes were looked at."""
     plan = Plan(root / "scripts" / "floors.txt")
     complaints, files, concepts, count = [], {}, {}, 0
-    for source in project_files((".hpp", ".cpp"), root):
+    known = project_files((".hpp", ".cpp"), root)
+    existing = set(known)
+    for source in known:
         for number, line in enumerate((root / source).read_text(encoding="utf-8").splitlines(), 1):
             match = INCLUDE.match(line)
             if not match:
                 continue
-            where, target = f"{source}:{number}", resolve(root, source, *match.groups())
+            where, target = f"{source}:{number}", resolve(existing, source, *match.groups())
             if target is False:
                 complaints.append(f"{where}: there is no file {match.group(2)}")
                 continue
