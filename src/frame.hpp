@@ -11,8 +11,8 @@ namespace surefoot::internal {
 class Frame {
 public:
     explicit Frame(const dquat& orientation) noexcept {
-        const double scale = power_of_two_of(
-            larger(largest({orientation.x, orientation.y, orientation.z}), absolute(orientation.w)));
+        const double scale =
+            power_of_two_of(larger(largest({orientation.x, orientation.y, orientation.z}), absolute(orientation.w)));
         if (!(scale > 0)) return;
         const double x = orientation.x / scale;
         const double y = orientation.y / scale;

@@ -7,9 +7,9 @@
 
 namespace surefoot::internal {
 
-inline constexpr double largest_coordinate = 1e9;  // [m]
+inline constexpr double largest_coordinate = 1e9;   // [m]
 inline constexpr double smallest_dimension = 1e-6;  // [m]
-inline constexpr double largest_dimension = 1e6;  // [m]
+inline constexpr double largest_dimension = 1e6;    // [m]
 inline constexpr double largest_ratio = 1e4;
 
 /// False for NaN and infinity too.

@@ -1,6 +1,6 @@
-// A ray against a triangle, watertight: on which side of each edge the line passes is the sign of a determinant, first in
-// doubles with a bound on the error, then exactly. Two triangles that share an edge ask the same determinant about it.
-// Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013) has the idea; Shewchuk, "Adaptive Precision
+// A ray against a triangle, watertight: on which side of each edge the line passes is the sign of a determinant, first
+// in doubles with a bound on the error, then exactly. Two triangles that share an edge ask the same determinant about
+// it. Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (2013) has the idea; Shewchuk, "Adaptive Precision
 // Floating-Point Arithmetic and Fast Robust Geometric Predicates" (1997) the bound.
 #include <surefoot/ray.hpp>
 

@@ -82,24 +82,42 @@ public:
     /// a / b to about 15 digits, of any size. Requires: b is not zero.
     friend double ratio(const ExactNumber& a, const ExactNumber& b) noexcept {
         double value = a.leading() / b.leading();
-        int power = (a.exponent_ + a.size_) - (b.exponent_ + b.size_);
+        int power = a.top() - b.top();
         for (; power > 0 && value > -1e290 && value < 1e290 && value != 0; --power) value *= 0x1p32;
         for (; power < 0 && value != 0; ++power) value *= 0x1p-32;
         return value;
     }
 
-private:
-    // The number over 2^(32 * (exponent_ + size_)): between 2^-32 and 1 in size.
+    /// The number over 2^(32 * top()): at least 2^-32 and less than 1 in size, to 15 digits.
     [[nodiscard]] double leading() const noexcept {
         double value = 0;
         const int lowest = size_ > 3 ? size_ - 3 : 0;
         for (int i = lowest; i < size_; ++i) value = (value + limbs_[i]) * 0x1p-32;
         return sign_ < 0 ? -value : value;
     }
+    [[nodiscard]] int top() const noexcept { return exponent_ + size_; }
 
-    static constexpr int floor_to_limbs(int power) noexcept {
-        return power >= 0 ? power / 32 : -((31 - power) / 32);
+    /// Times 2^(32 * limbs).
+    [[nodiscard]] ExactNumber shifted(int limbs) const noexcept {
+        ExactNumber result = *this;
+        if (sign_ != 0) result.exponent_ += limbs;
+        return result;
     }
+
+    /// The same number without what lies below its highest `limbs` limbs.
+    [[nodiscard]] ExactNumber truncated(int limbs) const noexcept {
+        ExactNumber result = *this;
+        if (size_ <= limbs) return result;
+        const int dropped = size_ - limbs;
+        for (int i = 0; i < limbs; ++i) result.limbs_[i] = limbs_[i + dropped];
+        result.size_ = limbs;
+        result.exponent_ += dropped;
+        result.trim();
+        return result;
+    }
+
+private:
+    static constexpr int floor_to_limbs(int power) noexcept { return power >= 0 ? power / 32 : -((31 - power) / 32); }
 
     void assign(const ExactNumber& other) noexcept {
         sign_ = other.sign_;

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <limits>
 #include <string>
-#include <surefoot/mesh.hpp>
-#include <surefoot/ray.hpp>
 #include <utility>
 #include <vector>
+
+#include <surefoot/mesh.hpp>
+#include <surefoot/ray.hpp>
 
 #include "limits.hpp"
 #include "mesh/tree.hpp"
@@ -36,7 +37,9 @@ namespace {
 // A few thousand times the rounding of a sweep: a box may be visited for nothing, never be passed over.
 constexpr double box_margin_share = 0x1p-36;
 
-double magnitude(const Box3& box) noexcept { return larger(largest(box.min), largest(box.max)); }
+double magnitude(const Box3& box) noexcept {
+    return larger(largest(box.min), largest(box.max));
+}
 
 // How far the volume reaches from its reference point along each axis of the world, and a margin.
 Vec reach_of(const Volume& volume, const Motion& motion, const Box3& bounds) noexcept {
@@ -45,12 +48,14 @@ Vec reach_of(const Volume& volume, const Motion& motion, const Box3& bounds) noe
         const Vec local = unit(frame.to_local(axis));
         return larger(reach_against(volume.shape, local), reach_against(volume.shape, -local));
     };
-    const double margin =
-        box_margin_share * (size_of(volume.shape) + magnitude(bounds) + norm1(to_vec(motion.from)) + norm1(to_vec(motion.to)));
+    const double margin = box_margin_share * (size_of(volume.shape) + magnitude(bounds) + norm1(to_vec(motion.from)) +
+                                              norm1(to_vec(motion.to)));
     return Vec{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})} + Vec{margin, margin, margin};
 }
 
-bool is_before(const Hit& a, const Hit& b) noexcept { return a.t != b.t ? a.t < b.t : a.triangle < b.triangle; }
+bool is_before(const Hit& a, const Hit& b) noexcept {
+    return a.t != b.t ? a.t < b.t : a.triangle < b.triangle;
+}
 
 // Calls `ask(id)` for every triangle whose box the motion may meet before `limit()`, nearest boxes first.
 template <typename Ask, typename Limit>
@@ -78,7 +83,9 @@ void visit_nearest_first(const Tree& tree, const BoxSweep& boxes, const Ask& ask
     }
 }
 
-Error invalid(std::string text) { return {ErrorCode::invalid, std::move(text), {}, 0}; }
+Error invalid(std::string text) {
+    return {ErrorCode::invalid, std::move(text), {}, 0};
+}
 
 }  // namespace
 
@@ -99,8 +106,9 @@ Expected<Mesh> Mesh::build(const MeshInput& input) {
     }
     for (std::size_t i = 0; i < input.vertices.size(); ++i) {
         if (!is_valid_point(dvec3(input.vertices[i]))) {
-            return tl::unexpected(invalid("vertex " + std::to_string(i) +
-                                          " is not finite or lies beyond 1e9 m: repair it, or bring the level nearer to its origin"));
+            return tl::unexpected(
+                invalid("vertex " + std::to_string(i) +
+                        " is not finite or lies beyond 1e9 m: repair it, or bring the level nearer to its origin"));
         }
     }
     for (std::size_t i = 0; i < input.indices.size(); ++i) {
@@ -157,7 +165,8 @@ std::optional<Hit> Mesh::ray(const Motion& motion, const MeshQueryOptions& optio
     if (options.search == Search::brute_force) {
         for (std::uint32_t id = 0; id < data_->count(); ++id) ask(id);
     } else {
-        const double margin = box_margin_share * (magnitude(data_->bounds) + norm1(to_vec(motion.from)) + norm1(to_vec(motion.to)));
+        const double margin =
+            box_margin_share * (magnitude(data_->bounds) + norm1(to_vec(motion.from)) + norm1(to_vec(motion.to)));
         const BoxSweep boxes(motion, {margin, margin, margin});
         visit_nearest_first(data_->tree, boxes, ask, [&] { return first ? first->t : 1.0; });
     }
@@ -199,15 +208,25 @@ std::size_t Mesh::overlap(const Volume& volume, const dvec3& position, std::span
     return count;
 }
 
-std::size_t Mesh::triangle_count() const noexcept { return data_->count(); }
+std::size_t Mesh::triangle_count() const noexcept {
+    return data_->count();
+}
 
-std::size_t Mesh::vertex_count() const noexcept { return data_->vertices.size(); }
+std::size_t Mesh::vertex_count() const noexcept {
+    return data_->vertices.size();
+}
 
-Bounds Mesh::bounds() const noexcept { return {to_dvec3(data_->bounds.min), to_dvec3(data_->bounds.max)}; }
+Bounds Mesh::bounds() const noexcept {
+    return {to_dvec3(data_->bounds.min), to_dvec3(data_->bounds.max)};
+}
 
-Triangle Mesh::triangle(std::uint32_t id) const noexcept { return data_->triangle(id); }
+Triangle Mesh::triangle(std::uint32_t id) const noexcept {
+    return data_->triangle(id);
+}
 
-std::uint32_t Mesh::surface(std::uint32_t id) const noexcept { return data_->surface(id); }
+std::uint32_t Mesh::surface(std::uint32_t id) const noexcept {
+    return data_->surface(id);
+}
 
 }  // namespace v0
 }  // namespace surefoot

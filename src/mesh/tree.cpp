@@ -6,7 +6,9 @@ namespace surefoot::internal {
 
 namespace {
 
-double component(const Vec& v, int axis) noexcept { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+double component(const Vec& v, int axis) noexcept {
+    return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
+}
 
 class Builder {
 public:

@@ -3,8 +3,9 @@
 
 #include <cstdint>
 #include <span>
-#include <surefoot/math.hpp>
 #include <vector>
+
+#include <surefoot/math.hpp>
 
 #include "vec.hpp"
 

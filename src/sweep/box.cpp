@@ -1,5 +1,5 @@
-// Box: M is a polytope. Its facets are parallel to a face of the box, to the triangle, or to an edge of one and an edge of
-// the other: the 13 axes of the separating axis test, here with the motion. A polytope needs no root at all.
+// Box: M is a polytope. Its facets are parallel to a face of the box, to the triangle, or to an edge of one and an edge
+// of the other: the 13 axes of the separating axis test, here with the motion. A polytope needs no root at all.
 #include "fault.hpp"
 #include "sweep/candidates.hpp"
 

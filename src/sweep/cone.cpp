@@ -1,7 +1,8 @@
-// Cone, standing on its apex: the patches of M are the flat disc, the triangle's plane, the side against an edge, the side
-// against a vertex, and the rim of the disc against an edge.
+// Cone, standing on its apex: the patches of M are the flat disc, the triangle's plane, the side against an edge, the
+// side against a vertex, and the rim of the disc against an edge.
 //
-// A side normal, from the triangle towards the cone, is (H h, R) with a sideways unit vector h: horizontally H h, upwards R.
+// A side normal, from the triangle towards the cone, is (H h, R) with a sideways unit vector h: horizontally H h,
+// upwards R.
 //  - Side against edge e: the side normals perpendicular to e, h . e_h H + e.y R = 0: two of them, for any time.
 //  - Side against vertex: the vertex moves linearly and meets the cone |z_h| = k z_y, k = R / H: a quadratic in t.
 //  - A motion that passes a vertex by: the side normals perpendicular to the motion.
@@ -32,10 +33,10 @@ void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes
     }
 }
 
-// z = corner - t * along, seen from the apex; the vertex is inside while |z_h| <= k z_y, z_y >= 0. A first root from the
-// quadratic, then planes: the side normal at the root gives a plane whose time is at or before the true one, from there
-// the next normal. That is Newton's method from the left on a convex function: it cannot overshoot, and three steps
-// restore the digits that the closed form loses when the motion runs along the side.
+// z = corner - t * along, seen from the apex; the vertex is inside while |z_h| <= k z_y, z_y >= 0. A first root from
+// the quadratic, then planes: the side normal at the root gives a plane whose time is at or before the true one, from
+// there the next normal. That is Newton's method from the left on a convex function: it cannot overshoot, and three
+// steps restore the digits that the closed form loses when the motion runs along the side.
 void consider_vertex(const SweepQuery& query, const Cone& cone, const Vec& corner, Planes& planes) noexcept {
     const double k = cone.radius / cone.height;
     const Vec& along = query.along;

@@ -42,7 +42,9 @@ Vec in_box(const Vec (&corners)[3], const Vec& half_extents, double margin, cons
     return middle / polygon.count;
 }
 
-double signed_like(double size, double sign) noexcept { return sign < 0 ? -size : size; }
+double signed_like(double size, double sign) noexcept {
+    return sign < 0 ? -size : size;
+}
 
 }  // namespace
 
@@ -56,47 +58,48 @@ Vec contact_point(const SweepQuery& query, const Vec& moved, const Vec& normal) 
         return sideways > 0 ? Vec{-normal.x / sideways * radius, height, -normal.z / sideways * radius}
                             : Vec{0, height, 0};
     };
-    const Vec local = std::visit(
-        Overloaded{
-            [&](const Sphere& sphere) { return nearest_on_triangle(-normal * sphere.radius, corners); },
-            [&](const Ellipsoid& ellipsoid) {
-                const Vec radii = to_vec(ellipsoid.radii);
-                const Vec squashed = multiply_each(normal, radii);
-                return nearest_on_triangle(-multiply_each(squashed, radii) / length(squashed), corners);
-            },
-            [&](const Capsule& capsule) {
-                const Vec up{0, capsule.half_height, 0};
-                const Vec shift = -normal * capsule.radius;
-                if (capsule.half_height * absolute(normal.y) <= hair) {
-                    return nearest_on_triangle_to_segment(shift - up, shift + up, corners);
-                }
-                return nearest_on_triangle(shift - signed_like(1, normal.y) * up, corners);
-            },
-            [&](const Box& box) {
-                const Vec half = to_vec(box.half_extents);
-                const Vec support{-signed_like(half.x, normal.x), -signed_like(half.y, normal.y),
-                                  -signed_like(half.z, normal.z)};
-                return in_box(corners, half, hair, support);
-            },
-            [&](const Cylinder& cylinder) {
-                const double height = -signed_like(cylinder.half_height, normal.y);
-                if (sideways * cylinder.radius <= hair) return nearest_on_triangle({0, height, 0}, corners);
-                const Vec rim = rim_point(cylinder.radius, height);
-                if (absolute(normal.y) * cylinder.half_height > hair) return nearest_on_triangle(rim, corners);
-                return nearest_on_triangle_to_segment(rim, {rim.x, -height, rim.z}, corners);
-            },
-            [&](const Cone& cone) {
-                const Vec rim = rim_point(cone.radius, cone.height);
-                const double rim_reach = sideways * cone.radius - normal.y * cone.height;
-                if (normal.y < 0 && sideways * cone.radius <= hair) {
-                    return nearest_on_triangle({0, cone.height, 0}, corners);
-                }
-                if (rim_reach > hair) return nearest_on_triangle(rim, corners);
-                if (rim_reach < -hair) return nearest_on_triangle({0, 0, 0}, corners);
-                return nearest_on_triangle_to_segment({0, 0, 0}, rim, corners);
-            },
-        },
-        query.shape);
+    const Vec local =
+        std::visit(Overloaded{
+                       [&](const Sphere& sphere) { return nearest_on_triangle(-normal * sphere.radius, corners); },
+                       [&](const Ellipsoid& ellipsoid) {
+                           const Vec radii = to_vec(ellipsoid.radii);
+                           const Vec squashed = multiply_each(normal, radii);
+                           return nearest_on_triangle(-multiply_each(squashed, radii) / length(squashed), corners);
+                       },
+                       [&](const Capsule& capsule) {
+                           const Vec up{0, capsule.half_height, 0};
+                           const Vec shift = -normal * capsule.radius;
+                           if (capsule.half_height * absolute(normal.y) <= hair) {
+                               return nearest_on_triangle_to_segment(shift - up, shift + up, corners);
+                           }
+                           return nearest_on_triangle(shift - signed_like(1, normal.y) * up, corners);
+                       },
+                       [&](const Box& box) {
+                           const Vec half = to_vec(box.half_extents);
+                           const Vec support{-signed_like(half.x, normal.x), -signed_like(half.y, normal.y),
+                                             -signed_like(half.z, normal.z)};
+                           return in_box(corners, half, hair, support);
+                       },
+                       [&](const Cylinder& cylinder) {
+                           const double height = -signed_like(cylinder.half_height, normal.y);
+                           if (sideways * cylinder.radius <= hair) return nearest_on_triangle({0, height, 0}, corners);
+                           const Vec rim = rim_point(cylinder.radius, height);
+                           if (absolute(normal.y) * cylinder.half_height > hair)
+                               return nearest_on_triangle(rim, corners);
+                           return nearest_on_triangle_to_segment(rim, {rim.x, -height, rim.z}, corners);
+                       },
+                       [&](const Cone& cone) {
+                           const Vec rim = rim_point(cone.radius, cone.height);
+                           const double rim_reach = sideways * cone.radius - normal.y * cone.height;
+                           if (normal.y < 0 && sideways * cone.radius <= hair) {
+                               return nearest_on_triangle({0, cone.height, 0}, corners);
+                           }
+                           if (rim_reach > hair) return nearest_on_triangle(rim, corners);
+                           if (rim_reach < -hair) return nearest_on_triangle({0, 0, 0}, corners);
+                           return nearest_on_triangle_to_segment({0, 0, 0}, rim, corners);
+                       },
+                   },
+                   query.shape);
     return local + moved;
 }
 

@@ -1,5 +1,5 @@
-// Upright cylinder: the patches of M are the caps, the triangle's plane, the wall against an edge (edge x axis), the wall
-// against a vertex (a circle, seen along the axis), and either rim against an edge.
+// Upright cylinder: the patches of M are the caps, the triangle's plane, the wall against an edge (edge x axis), the
+// wall against a vertex (a circle, seen along the axis), and either rim against an edge.
 #include "fault.hpp"
 #include "sweep/candidates.hpp"
 #include "sweep/rim.hpp"

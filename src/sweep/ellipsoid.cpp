@@ -2,9 +2,9 @@
 // cylinder about each edge, a ball about each vertex.
 //
 // The ellipsoid is the classic change of space: divided by its radii it is the unit ball, the triangle is another
-// triangle, and straight lines stay straight with the same t. Only the touch is computed there. A normal m of that space
-// is the normal m / radii of the world, and the plane it stands for is judged in the world.
-// Fauerby, "Improved Collision Detection and Response" (2003), has the change of space and the three cases.
+// triangle, and straight lines stay straight with the same t. Only the touch is computed there. A normal m of that
+// space is the normal m / radii of the world, and the plane it stands for is judged in the world. Fauerby, "Improved
+// Collision Detection and Response" (2003), has the change of space and the three cases.
 #include "fault.hpp"
 #include "sweep/candidates.hpp"
 #include "sweep/round_features.hpp"
@@ -22,8 +22,8 @@ void propose_round_planes(const SweepQuery& query, double radius, const Squash& 
     };
     const Vec along = squash(query.along);
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
-    const bool skip_edges = has_fault(Fault::parallel_skipped) &&
-                            absolute(dot(unit(query.face_normal()), unit(query.along))) < 0x1p-20;
+    const bool skip_edges =
+        has_fault(Fault::parallel_skipped) && absolute(dot(unit(query.face_normal()), unit(query.along))) < 0x1p-20;
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3 && !skip_edges; ++i) {
         consider(ball_against_line(squash(query.edge_start(i)), squash(query.edge_direction(i)), along, radius));
     }
@@ -34,12 +34,14 @@ void propose_round_planes(const SweepQuery& query, double radius, const Squash& 
 }  // namespace
 
 void propose_planes(const SweepQuery& query, const Sphere& sphere, Planes& planes) noexcept {
-    propose_round_planes(query, sphere.radius, [](const Vec& v) { return v; }, planes);
+    propose_round_planes(
+        query, sphere.radius, [](const Vec& v) { return v; }, planes);
 }
 
 void propose_planes(const SweepQuery& query, const Ellipsoid& ellipsoid, Planes& planes) noexcept {
     const Vec radii = to_vec(ellipsoid.radii);
-    propose_round_planes(query, 1.0, [&](const Vec& v) { return divide_each(v, radii); }, planes);
+    propose_round_planes(
+        query, 1.0, [&](const Vec& v) { return divide_each(v, radii); }, planes);
 }
 
 }  // namespace surefoot::internal

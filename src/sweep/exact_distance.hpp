@@ -1,6 +1,6 @@
-// Exact nearest points between a triangle and the origin, as the offset from the triangle to the origin. Offsets are kept
-// as a numerator over a positive denominator, squared distances likewise, so that nothing is divided.
-// The regions are those of Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
+// Exact nearest points between a triangle and the origin, as the offset from the triangle to the origin. Offsets are
+// kept as a numerator over a positive denominator, squared distances likewise, so that nothing is divided. The regions
+// are those of Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
 #pragma once
 
 #include "exact/vector.hpp"
@@ -9,12 +9,13 @@ namespace surefoot::internal {
 
 template <typename Number>
 struct ExactOffset {
-    ExactVec<Number> direction;      ///< from the nearest point of the triangle to the origin, times something positive
-    Number squared_numerator;        ///< squared distance, times `squared_denominator`
-    Number squared_denominator;      ///< > 0
+    ExactVec<Number> direction;  ///< from the nearest point of the triangle to the origin, times something positive
+    Number squared_numerator;    ///< squared distance, times `squared_denominator`
+    Number squared_denominator;  ///< > 0
 
     [[nodiscard]] bool nearer_than(const ExactOffset& other) const noexcept {
-        return compare(squared_numerator * other.squared_denominator, other.squared_numerator * squared_denominator) < 0;
+        return compare(squared_numerator * other.squared_denominator, other.squared_numerator * squared_denominator) <
+               0;
     }
 };
 

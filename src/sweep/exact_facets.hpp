@@ -68,8 +68,8 @@ public:
         return some_not_closing ? Approach::no_closer : Approach::deeper;
     }
 
-    /// With the origin outside M by a hair: is there a plane, or a combination of two that is perpendicular to the motion,
-    /// with a gap that does not close?
+    /// With the origin outside M by a hair: is there a plane, or a combination of two that is perpendicular to the
+    /// motion, with a gap that does not close?
     [[nodiscard]] Approach approach_outside() const noexcept {
         for (int i = 0; i < 2 * count_; ++i) {
             const ExactPlane<Number> candidate = plane(i);

@@ -1,10 +1,11 @@
-// One sweep in exact numbers, in the shape's frame and scaled by |q|^2, which turns the rotation v -> q* v q / |q|^2 into
-// a polynomial. Lengths of the shape must be multiplied by `scale` to go with it.
+// One sweep in exact numbers, in the shape's frame and scaled by |q|^2, which turns the rotation v -> q* v q / |q|^2
+// into a polynomial. Lengths of the shape must be multiplied by `scale` to go with it.
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+
 #include <surefoot/math.hpp>
 
 #include "exact/vector.hpp"
@@ -73,8 +74,8 @@ private:
     int highest_ = -100000;
 };
 
-/// Room for the numbers of games (coordinates and quaternions of 60 digits or so), and room for nearly any doubles within
-/// the limits (2^-1074 next to 1e9).
+/// Room for the numbers of games (coordinates and quaternions of 60 digits or so), and room for nearly any doubles
+/// within the limits (2^-1074 next to 1e9).
 using GameNumber = ExactNumber<128>;
 using AnyNumber = ExactNumber<640>;
 

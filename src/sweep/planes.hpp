@@ -1,7 +1,7 @@
 // The judgement of planes, which every shape shares.
 //
-// M = T (+) (-K) is convex, and the shape's reference point moves along a line. A plane with normal n, pushed against the
-// triangle from the shape's side, leaves the gap
+// M = T (+) (-K) is convex, and the shape's reference point moves along a line. A plane with normal n, pushed against
+// the triangle from the shape's side, leaves the gap
 //
 //     gap(n, t) = n . x(t) - max over T of n . v - max over K of -n . k
 //
@@ -9,8 +9,8 @@
 //  - while any plane has a gap, there is no touch: the last plane to give way is the answer, and it cannot be late;
 //  - a plane with a gap at both ends of the motion proves that there is no touch at all;
 //  - two planes, one that the motion leaves before it enters the other, prove the same: their combination that is
-//    perpendicular to the motion has a gap throughout (M is an intersection of convex sets, and intervals on a line that
-//    meet in pairs have a common point: Helly's theorem).
+//    perpendicular to the motion has a gap throughout (M is an intersection of convex sets, and intervals on a line
+//    that meet in pairs have a common point: Helly's theorem).
 // Which planes are worth asking is what the closed forms of each shape know; a plane that was not worth asking does no
 // harm. Every gap here is reduced by the rounding that it may contain, the hair.
 #pragma once
@@ -47,7 +47,8 @@ public:
     /// Does some plane have a gap at `from`?
     [[nodiscard]] bool starts_apart() const noexcept { return apart_; }
 
-    /// Do shape and triangle touch or overlap at `from`, to half a hair? (A contact reported before is a whole hair off.)
+    /// Do shape and triangle touch or overlap at `from`, to half a hair? (A contact reported before is a whole hair
+    /// off.)
     [[nodiscard]] bool starts_inside() const noexcept;
 
     /// When the last plane gives way. Requires: not motion_is_free(), starts_apart().

@@ -69,16 +69,15 @@ double reach_against(const Shape& shape, const Vec& normal) noexcept {
 }
 
 double size_of(const Shape& shape) noexcept {
-    return std::visit(
-        Overloaded{
-            [](const Sphere& sphere) { return 2 * sphere.radius; },
-            [](const Ellipsoid& ellipsoid) { return norm1(to_vec(ellipsoid.radii)); },
-            [](const Capsule& capsule) { return 2 * capsule.radius + capsule.half_height; },
-            [](const Box& box) { return norm1(to_vec(box.half_extents)); },
-            [](const Cylinder& cylinder) { return 2 * cylinder.radius + cylinder.half_height; },
-            [](const Cone& cone) { return 2 * cone.radius + cone.height; },
-        },
-        shape);
+    return std::visit(Overloaded{
+                          [](const Sphere& sphere) { return 2 * sphere.radius; },
+                          [](const Ellipsoid& ellipsoid) { return norm1(to_vec(ellipsoid.radii)); },
+                          [](const Capsule& capsule) { return 2 * capsule.radius + capsule.half_height; },
+                          [](const Box& box) { return norm1(to_vec(box.half_extents)); },
+                          [](const Cylinder& cylinder) { return 2 * cylinder.radius + cylinder.half_height; },
+                          [](const Cone& cone) { return 2 * cone.radius + cone.height; },
+                      },
+                      shape);
 }
 
 }  // namespace surefoot::internal

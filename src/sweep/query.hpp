@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+
 #include <surefoot/shapes.hpp>
 #include <surefoot/sweep.hpp>
 

@@ -11,7 +11,8 @@ RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const
     if (edge.y == 0) return {};
     const double climb_sign = edge.y < 0 ? -1.0 : 1.0;
 
-    // From a direction in the plane of the rim to the normal perpendicular to the edge that has it as its sideways part.
+    // From a direction in the plane of the rim to the normal perpendicular to the edge that has it as its sideways
+    // part.
     const auto raised = [&](const Vec& sideways) {
         return Vec{sideways.x * absolute(edge.y), -climb_sign * (sideways.x * edge.x + sideways.z * edge.z),
                    sideways.z * absolute(edge.y)};

@@ -6,8 +6,9 @@
 //            |w                    entry normal: w - h u,  exit normal: w + h u,  h = sqrt(R^2 - |w|^2)
 //            o feature             |w| >= R: the line passes by, and w itself separates
 //
-// Solving for the normal instead of for t keeps all digits: no b^2 - 4 a c, in which a grazing motion loses half of them.
-// R is the radius inflated by a hair, so that a motion that barely touches still meets it at an angle that doubles can hold.
+// Solving for the normal instead of for t keeps all digits: no b^2 - 4 a c, in which a grazing motion loses half of
+// them. R is the radius inflated by a hair, so that a motion that barely touches still meets it at an angle that
+// doubles can hold.
 #pragma once
 
 #include "sweep/query.hpp"

@@ -4,6 +4,7 @@
 #include "overloaded.hpp"
 #include "sweep/exact_distance.hpp"
 #include "sweep/exact_facets.hpp"
+#include "sweep/upright_start.hpp"
 
 namespace surefoot::internal {
 
@@ -15,8 +16,8 @@ Approach from_sign(const Number& derivative) noexcept {
 }
 
 // Sphere and ellipsoid: g is the distance to the triangle in the space where the shape is round, less a constant; its
-// slope has the sign of (centre - nearest point) . d. On the triangle itself the offset is zero, and moving can only lead
-// away from the deepest place.
+// slope has the sign of (centre - nearest point) . d. On the triangle itself the offset is zero, and moving can only
+// lead away from the deepest place.
 template <typename Number>
 Approach approach_of(const ExactQuery<Number>& query) noexcept {
     const auto offset = offset_from_triangle(query.corners[0], query.corners[1], query.corners[2]);
@@ -36,9 +37,9 @@ Approach approach_of(ExactQuery<Number>& query, const Ellipsoid& ellipsoid) noex
     return approach_of(query);
 }
 
-// Capsule: g is the signed distance to the prism that triangle and core make, less the radius. Outside the prism that is
-// the distance between core and triangle; inside, the faces of the prism at the least depth decide. A flat prism has no
-// inside.
+// Capsule: g is the signed distance to the prism that triangle and core make, less the radius. Outside the prism that
+// is the distance between core and triangle; inside, the faces of the prism at the least depth decide. A flat prism has
+// no inside.
 template <typename Number>
 Approach approach_of(const ExactQuery<Number>& query, const Capsule& capsule) noexcept {
     const Number half_height = Number(capsule.half_height) * query.scale;
@@ -114,15 +115,15 @@ Approach approach_with(const Volume& volume, const Motion& motion, const Triangl
     query.turn_into_frame(volume.orientation);
     return std::visit(Overloaded{
                           [&](const Sphere&) { return approach_of(query); },
-                          [&](const Cylinder&) { return Approach::deeper; },
-                          [&](const Cone&) { return Approach::deeper; },
+                          [&](const Cylinder&) { return upright_approach_at_start(volume, motion, triangle); },
+                          [&](const Cone&) { return upright_approach_at_start(volume, motion, triangle); },
                           [&](const auto& shape) { return approach_of(query, shape); },
                       },
                       volume.shape);
 }
 
-// The most digits that a decision multiplies together: comparing two depths is of degree 10 in coordinates, each of which
-// has been turned (twice the digits of the quaternion) and squashed (twice those of the dimensions).
+// The most digits that a decision multiplies together: comparing two depths is of degree 10 in coordinates, each of
+// which has been turned (twice the digits of the quaternion) and squashed (twice those of the dimensions).
 constexpr int highest_degree = 10;
 
 int digits_needed(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {

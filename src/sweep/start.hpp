@@ -1,5 +1,5 @@
-// The start of a motion that begins in touch: would the shape go deeper? Decided by the exact sign of g'(0+), g the signed
-// distance between shape and triangle. g' is the largest of n . d over the normals n that attain the distance.
+// The start of a motion that begins in touch: would the shape go deeper? Decided by the exact sign of g'(0+), g the
+// signed distance between shape and triangle. g' is the largest of n . d over the normals n that attain the distance.
 #pragma once
 
 #include <surefoot/math.hpp>
@@ -8,13 +8,13 @@
 namespace surefoot::internal {
 
 enum class Approach {
-    deeper,    ///< g'(0+) < 0
-    no_closer, ///< g'(0+) >= 0: leaving, sliding along, or standing still
-    overflow,  ///< the numbers are further apart than exact arithmetic has room for
+    deeper,     ///< g'(0+) < 0
+    no_closer,  ///< g'(0+) >= 0: leaving, sliding along, or standing still
+    overflow,   ///< the numbers are further apart than exact arithmetic has room for
 };
 
-/// Requires: valid volume, motion and triangle; the shape touches the triangle at `from`, or is apart by no more than the
-/// hair. Where it is apart by a hair, `no_closer` also means that the motion is proved to miss.
+/// Requires: valid volume, motion and triangle; the shape touches the triangle at `from`, or is apart by no more than
+/// the hair. Where it is apart by a hair, `no_closer` also means that the motion is proved to miss.
 [[nodiscard]] Approach approach_at_start(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept;
 
 /// The sign of (to - from) . N, N the normal of the triangle.

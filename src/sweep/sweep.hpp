@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+
 #include <surefoot/sweep.hpp>
 
 namespace surefoot::internal {

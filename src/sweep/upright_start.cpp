@@ -1,0 +1,107 @@
+#include "sweep/upright_start.hpp"
+
+#include "fault.hpp"
+#include "sweep/exact_query.hpp"
+#include "sweep/query.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+template <typename Scalar>
+UprightShape<Scalar> upright_shape(const Shape& shape, const Scalar& scale) noexcept {
+    if (const auto* cone = std::get_if<Cone>(&shape)) {
+        return {Scalar(cone->radius) * scale, Scalar(cone->height) * scale, true};
+    }
+    const auto& cylinder = *std::get_if<Cylinder>(&shape);
+    return {Scalar(cylinder.radius) * scale, Scalar(cylinder.half_height) * scale, false};
+}
+
+// In doubles: plane i counts as one of the nearest when no other is nearer by more than `hair`.
+struct Outlook {
+    bool decided = false;
+    Approach approach = Approach::no_closer;
+    bool rims_matter = true;
+};
+
+Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {
+    const SweepQuery query(volume, motion, triangle, 0);
+    ExactVec<double> corners[3];
+    double hair = 64 * query.shape_slack;
+    for (int i = 0; i < 3; ++i) {
+        corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
+        hair += 64 * query.corner_slack[i];
+    }
+    const ExactVec<double> along{query.along.x, query.along.y, query.along.z};
+    const double slope_hair = 0x1p-40 * norm1(query.along);
+
+    UprightStart<double> start(corners, along, upright_shape<double>(query.shape, 1.0));
+    start.propose(true);
+    UprightStart<double> with_rims(corners, along, upright_shape<double>(query.shape, 1.0));
+    with_rims.propose(false);
+    const double nearest = with_rims.largest_gap();
+
+    Outlook outlook;
+    bool all_close = true;
+    bool all_open = true;
+    bool some_rim = false;
+    for (int i = 0; i < with_rims.count(); ++i) {
+        const auto& plane = with_rims.plane(i);
+        if (plane.gap < nearest - hair) continue;
+        some_rim = some_rim || i >= start.count();
+        all_close = all_close && plane.approach < -slope_hair;
+        all_open = all_open && plane.approach > slope_hair;
+    }
+    outlook.decided = all_close || all_open || has_fault(Fault::approach_in_doubles);
+    outlook.approach = all_close ? Approach::deeper : Approach::no_closer;
+    outlook.rims_matter = some_rim;
+    return outlook;
+}
+
+Approach decide_in_reals(const Volume& volume, const Motion& motion, const Triangle& triangle,
+                         bool skip_rims) noexcept {
+    ExactQuery<Real> query(motion, triangle);
+    query.turn_into_frame(volume.orientation);
+    const UprightShape<Real> shape = upright_shape<Real>(volume.shape, query.scale);
+    UprightStart<Real> start(query.corners, query.along, shape);
+    start.propose(skip_rims);
+
+    // What differs by less than 2^-300 of the sizes involved is taken for equal.
+    const Real tiny(0x1p-300);
+    Real size = shape.radius + shape.height;
+    for (const auto& corner : query.corners) size = size + square_root(dot(corner, corner));
+    const Real hair = size * tiny;
+    const Real slope_hair = square_root(dot(query.along, query.along)) * tiny;
+    const Real nearest = start.largest_gap();
+
+    if (nearest > hair) {
+        // Outside by less than the hair of doubles: a gap that does not close proves a miss.
+        for (int i = 0; i < start.count(); ++i) {
+            const auto& closing = start.plane(i);
+            if (!(closing.gap > hair)) continue;
+            if (closing.approach > -slope_hair) return Approach::no_closer;
+            for (int j = 0; j < start.count(); ++j) {
+                const auto& opening = start.plane(j);
+                if (opening.approach > slope_hair && start.combined_gap(closing, opening) > hair) {
+                    return Approach::no_closer;
+                }
+            }
+        }
+        return Approach::deeper;
+    }
+    for (int i = 0; i < start.count(); ++i) {
+        const auto& plane = start.plane(i);
+        if (plane.gap > nearest - hair && plane.approach > -slope_hair) return Approach::no_closer;
+    }
+    return Approach::deeper;
+}
+
+}  // namespace
+
+Approach upright_approach_at_start(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {
+    const Outlook outlook = look_in_doubles(volume, motion, triangle);
+    if (outlook.decided) return outlook.approach;
+    return decide_in_reals(volume, motion, triangle, !outlook.rims_matter);
+}
+
+}  // namespace surefoot::internal
