@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool raw = (kind & 1) != 0;
     const bool honest = (kind & 2) == 0;  // else indices may lead anywhere
     const std::size_t vertex_count = bytes.take<std::uint8_t>();
-    const std::size_t index_count = bytes.take<std::uint8_t>() * (honest ? 3u : 1u);
+    const std::size_t index_count = std::size_t{bytes.take<std::uint8_t>()} * (honest ? 3 : 1);
 
     std::vector<surefoot::vec3> vertices(vertex_count);
     for (surefoot::vec3& vertex : vertices)

@@ -38,8 +38,11 @@ PKG_CONFIG_PATH=$(dirname "$(find "$tree" -name surefoot.pc)")
 export PKG_CONFIG_PATH
 [[ $(pkg-config --modversion surefoot) == "$(sed -n 's/^project(surefoot VERSION \([0-9.]*\) .*/\1/p' "$here/../../CMakeLists.txt")" ]]
 read -ra flags <<<"$(pkg-config --cflags --libs surefoot)"
-g++ -std=c++20 "$here/outsider/main.cpp" "${flags[@]}" -o with_pkg_config
-LD_LIBRARY_PATH=$(dirname "$library") ./with_pkg_config
+for exceptions in "" "-fno-exceptions -fno-rtti"; do
+    # shellcheck disable=SC2086  # none, or two options
+    g++ -std=c++20 $exceptions "$here/outsider/main.cpp" "${flags[@]}" -o with_pkg_config
+    LD_LIBRARY_PATH=$(dirname "$library") ./with_pkg_config
+done
 
 if [[ -x $tree/bin/surefoot ]]; then
     echo "== The installed program"

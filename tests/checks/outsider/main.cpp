@@ -14,5 +14,13 @@ int main() {
         std::puts("a ball of radius 1 that falls from 3 m should touch the floor half way down to -1 m");
         return 1;
     }
+
+    // Errors are values, so that all of this works without exceptions too.
+    const std::array<std::uint32_t, 3> beyond{0, 1, 2};
+    const auto mesh = surefoot::Mesh::build({.vertices = {}, .indices = beyond});
+    if (mesh || mesh.error().code != surefoot::ErrorCode::invalid) {
+        std::puts("a mesh whose indices lead nowhere should be refused");
+        return 1;
+    }
     std::printf("stopped after %.0f%%\n", 100 * hit->t);
 }
