@@ -4,9 +4,13 @@ namespace surefoot::internal {
 
 namespace {
 
-double clamp01(double s) noexcept { return s < 0 ? 0 : (s > 1 ? 1 : s); }
+double clamp01(double s) noexcept {
+    return s < 0 ? 0 : (s > 1 ? 1 : s);
+}
 
-double squared(const Vec& v) noexcept { return dot(v, v); }
+double squared(const Vec& v) noexcept {
+    return dot(v, v);
+}
 
 // Nearest points of two segments (Ericson, "Real-Time Collision Detection", 5.1.9), the one on the first.
 struct NearestPair {

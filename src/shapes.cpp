@@ -27,26 +27,26 @@ bool triple_is_valid(const dvec3& v) noexcept {
 }
 
 bool shape_is_valid(const Shape& shape) noexcept {
-    return std::visit(
-        internal::Overloaded{
-            [](const Sphere& sphere) { return dimensions_are_valid(sphere.radius, sphere.radius); },
-            [](const Ellipsoid& ellipsoid) { return triple_is_valid(ellipsoid.radii); },
-            [](const Capsule& capsule) {
-                return capsule.half_height >= 0 &&
-                       dimensions_are_valid(capsule.radius, internal::larger(capsule.radius, capsule.half_height));
-            },
-            [](const Box& box) { return triple_is_valid(box.half_extents); },
-            [](const Cylinder& cylinder) { return pair_is_valid(cylinder.radius, cylinder.half_height); },
-            [](const Cone& cone) { return pair_is_valid(cone.radius, cone.height); },
-        },
-        shape);
+    return std::visit(internal::Overloaded{
+                          [](const Sphere& sphere) { return dimensions_are_valid(sphere.radius, sphere.radius); },
+                          [](const Ellipsoid& ellipsoid) { return triple_is_valid(ellipsoid.radii); },
+                          [](const Capsule& capsule) {
+                              return capsule.half_height >= 0 &&
+                                     dimensions_are_valid(capsule.radius,
+                                                          internal::larger(capsule.radius, capsule.half_height));
+                          },
+                          [](const Box& box) { return triple_is_valid(box.half_extents); },
+                          [](const Cylinder& cylinder) { return pair_is_valid(cylinder.radius, cylinder.half_height); },
+                          [](const Cone& cone) { return pair_is_valid(cone.radius, cone.height); },
+                      },
+                      shape);
 }
 
 bool orientation_is_valid(const dquat& q) noexcept {
     using internal::absolute;
     const double largest = internal::larger(internal::largest({q.x, q.y, q.z}), absolute(q.w));
-    const bool all_finite = absolute(q.x) <= 0x1p500 && absolute(q.y) <= 0x1p500 && absolute(q.z) <= 0x1p500 &&
-                            absolute(q.w) <= 0x1p500;
+    const bool all_finite =
+        absolute(q.x) <= 0x1p500 && absolute(q.y) <= 0x1p500 && absolute(q.z) <= 0x1p500 && absolute(q.w) <= 0x1p500;
     return all_finite && largest >= 0x1p-500;
 }
 
