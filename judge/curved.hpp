@@ -1,0 +1,222 @@
+/// The normals along which a cylinder or cone can be nearest to a polytope, all in closed form but one: a rim against
+/// an edge needs a root of a quartic, which is bracketed and polished. K' is the mirrored shape: the cylinder itself,
+/// or a cone with its apex up and its disc at y = -height.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "floats.hpp"
+
+namespace judge {
+
+template <class F>
+struct CurvedNormal {
+    V3<F> n;   ///< of unit length
+    F gap{0};  ///< n.w - h(n): a lower bound on the signed distance
+};
+
+template <class F>
+class CurvedNormals {
+public:
+    struct Edge {
+        V3<F> from, along;
+    };
+
+    /// `toward`: any direction that an azimuth may be taken from when a corner lies on the axis; the motion.
+    CurvedNormals(Kind kind, const V3<F>& size, const V3<F>& toward) : kind_(kind), size_(size), toward_(toward) {}
+
+    void add_corner(const V3<F>& w) { corners_.push_back(w); }
+    void add_edge(const V3<F>& from, const V3<F>& to) { edges_.push_back({from, to - from}); }
+    void add_face(const V3<F>& normal) { faces_.push_back(normal); }
+
+    [[nodiscard]] F gap(const V3<F>& n) const {
+        F low = dot(n, corners_[0]);
+        for (const V3<F>& w : corners_) {
+            const F here = dot(n, w);
+            if (here < low) low = here;
+        }
+        return low - support(n);
+    }
+
+    const std::vector<CurvedNormal<F>>& run() {
+        const F zero(0);
+        for (const V3<F>& n : faces_) propose_both(n);
+        propose_both({zero, F(1), zero});
+        propose_both(toward_);
+        propose_side(toward_.x, toward_.z);
+        for (const V3<F>& w : corners_) {
+            propose_side(w.x, w.z);
+            if (kind_ == Kind::cone) propose_both(w);
+            propose_rims(w);
+        }
+        for (const Edge& e : edges_) propose_edge(e);
+        return found_;
+    }
+
+private:
+    [[nodiscard]] F support(const V3<F>& n) const {
+        const F flat = size_.x * root_of(n.x * n.x + n.z * n.z);
+        if (kind_ == Kind::cylinder) return size_.y * magnitude(n.y) + flat;
+        const F disc = flat - size_.y * n.y;
+        return disc < F(0) ? F(0) : disc;
+    }
+
+    void propose(const V3<F>& n) {
+        const F size = length(n);
+        if (!(size > F(0))) return;
+        const V3<F> unit = scaled(n, F(1) / size);
+        found_.push_back({unit, gap(unit)});
+    }
+    void propose_both(const V3<F>& n) {
+        propose(n);
+        propose(-n);
+    }
+
+    /// The normals of the mantle at the azimuth (x, z) and opposite.
+    void propose_side(const F& x, const F& z) {
+        const F flat = root_of(x * x + z * z);
+        if (!(flat > F(0))) return;
+        for (const F& side : {F(F(1) / flat), F(F(-1) / flat)}) {
+            if (kind_ == Kind::cylinder)
+                propose({x * side, F(0), z * side});
+            else
+                propose({size_.y * x * side, size_.x, size_.y * z * side});
+        }
+    }
+
+    int rims() const { return kind_ == Kind::cylinder ? 2 : 1; }
+    F rim_height(int rim) const { return rim == 0 ? -size_.y : size_.y; }
+
+    /// A corner against the rims; and, for a corner that lies on a rim, each edge against the rim's tangent there.
+    void propose_rims(const V3<F>& w) {
+        const F flat = root_of(w.x * w.x + w.z * w.z);
+        if (!(flat > F(0))) return;
+        for (int rim = 0; rim < rims(); ++rim)
+            propose_both({w.x - size_.x * w.x / flat, w.y - rim_height(rim), w.z - size_.x * w.z / flat});
+        for (const Edge& e : edges_) propose_both(cross(e.along, {-w.z, F(0), w.x}));
+    }
+
+    void propose_edge(const Edge& edge) {
+        const F zero(0);
+        const V3<F>& e = edge.along;
+        const F ee = dot(e, e);
+        if (!(ee > zero)) return;
+        propose_both({-e.z, zero, e.x});  // against a line of the mantle of a cylinder
+        propose_both(scaled(toward_, ee) - scaled(e, dot(toward_, e)));
+        if (kind_ == Kind::cone) {
+            propose_both(scaled(edge.from, ee) - scaled(e, dot(edge.from, e)));  // against the apex
+            propose_mantle_lines(e);
+        }
+        const V3<F> along = scaled(e, F(1) / root_of(ee));
+        V3<F> u{along.z, zero, -along.x};
+        const F level = length(u);
+        if (!(level > zero)) return;  // a vertical edge meets the mantle before the rim
+        u = scaled(u, F(1) / level);
+        const V3<F> v = cross(along, u);
+        for (int rim = 0; rim < rims(); ++rim) propose_rim_edge(edge.from, u, v, rim_height(rim));
+    }
+
+    /// Against a line of the cone's mantle: (height c, radius, height s) . e = 0 with c^2 + s^2 = 1.
+    void propose_mantle_lines(const V3<F>& e) {
+        const F ff = e.x * e.x + e.z * e.z;
+        if (!(ff > F(0))) return;
+        const F k = -(size_.x * e.y) / size_.y;  // c e.x + s e.z = k
+        const F rest = ff - k * k;
+        if (rest < F(0)) return;
+        for (const F& root : {F(root_of(rest)), F(-root_of(rest))}) {
+            const F c = (k * e.x - root * e.z) / ff, s = (k * e.z + root * e.x) / ff;
+            propose({size_.y * c, size_.x, size_.y * s});
+        }
+    }
+
+    /// Half the slope of the gap to a rim as n turns in the plane of u and v; n = u + tau v, or v + tau u.
+    struct RimSlope {
+        V3<F> w;  // from the rim's centre to the edge
+        V3<F> p, q;
+        F radius;
+        F value(const F& tau, F* derivative) const {
+            const V3<F> n = p + scaled(q, tau);
+            const F flat2 = n.x * n.x + n.z * n.z, flat = root_of(flat2);
+            const V3<F> pull{w.x - radius * n.x / flat, w.y, w.z - radius * n.z / flat};
+            if (derivative != nullptr) {
+                const F turn = (n.x * q.x + n.z * q.z) / flat2;
+                const V3<F> change{-radius * (q.x - n.x * turn) / flat, F(0), -radius * (q.z - n.z * turn) / flat};
+                *derivative = dot(change, q) - tau * dot(change, p) - dot(pull, p);
+            }
+            return dot(pull, q) - tau * dot(pull, p);
+        }
+    };
+
+    /// Roots lie close together where the edge is nearly in the rim's plane, so the directions that are tried are
+    /// denser (in powers of two) towards u and v. Both signs are tried, as the root in the slope is blind to n -> -n.
+    void propose_rim_edge(const V3<F>& from, const V3<F>& u, const V3<F>& v, const F& height) {
+        const V3<F> w{from.x, from.y - height, from.z};
+        for (int which = 0; which < 4; ++which) {
+            const F sign(which < 2 ? 1 : -1);
+            const RimSlope slope{w, scaled(which % 2 ? v : u, sign), which % 2 ? u : v, size_.x};
+            const typename CurvedNormals<double>::Rough rough{to_doubles(slope.w), to_doubles(slope.p),
+                                                              to_doubles(slope.q), to_double(slope.radius)};
+            double roots[96];
+            const int count = rough.roots(roots);
+            for (int i = 0; i < count; ++i) {
+                F tau(roots[i]);
+                for (int polish = 0; polish < (sizeof(F) > 16 ? 5 : 3); ++polish) {
+                    F derivative(0);
+                    const F value = slope.value(tau, &derivative);
+                    if (!(magnitude(derivative) > F(0))) break;
+                    tau = tau - value / derivative;
+                }
+                propose(slope.p + scaled(slope.q, tau));
+            }
+        }
+    }
+
+    static V3<double> to_doubles(const V3<F>& a) { return {to_double(a.x), to_double(a.y), to_double(a.z)}; }
+
+public:
+    /// Finds the roots of the slope in [-1, 1], in doubles.
+    struct Rough {
+        V3<double> w, p, q;
+        double radius;
+
+        double value(double tau) const {
+            const double nx = p.x + tau * q.x, nz = p.z + tau * q.z;
+            const double k = radius / std::sqrt(nx * nx + nz * nz);
+            const double x = w.x - k * nx, z = w.z - k * nz;
+            return x * q.x + w.y * q.y + z * q.z - tau * (x * p.x + w.y * p.y + z * p.z);
+        }
+        int roots(double* found) const {
+            int count = 0;
+            double last_tau = -1, last = value(-1);
+            const auto step = [&](double tau) {
+                const double here = value(tau);
+                if ((last < 0 && here >= 0) || (last > 0 && here <= 0)) {
+                    double low = last_tau, high = tau;
+                    for (int i = 0; i < 52; ++i) {
+                        const double mid = 0.5 * (low + high), at_mid = value(mid);
+                        ((at_mid < 0) == (last < 0) ? low : high) = mid;
+                    }
+                    if (count < 96) found[count++] = 0.5 * (low + high);
+                }
+                last = here;
+                last_tau = tau;
+            };
+            for (int i = -7; i <= -2; ++i) step(i / 8.0);
+            for (int k = -3; k >= -33; k -= 2) step(-std::ldexp(1, k));
+            for (int k = -33; k <= -3; k += 2) step(std::ldexp(1, k));
+            for (int i = 2; i <= 8; ++i) step(i / 8.0);
+            return count;
+        }
+    };
+
+private:
+    Kind kind_;
+    V3<F> size_, toward_;
+    std::vector<V3<F>> corners_;
+    std::vector<Edge> edges_;
+    std::vector<V3<F>> faces_;
+    std::vector<CurvedNormal<F>> found_;
+};
+
+}  // namespace judge

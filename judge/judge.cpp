@@ -1,0 +1,234 @@
+#include "judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "separation.hpp"
+#include "start.hpp"
+
+namespace judge {
+namespace {
+
+bool is_finite(const Vec& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_zero(const Vec& v) {
+    return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+template <class N>
+int sign_along(const Query& q, const Vec& n) {
+    return sign_of(dot(lift<N>(n), lift<N>(q.to) - lift<N>(q.from)));
+}
+
+/// The exact sign of n . d.
+int sign_along(const Query& q, const Vec& n) {
+    const int quick = sign_along<Interval>(q, n);
+    return quick == unsure ? sign_along<Dyadic>(q, n) : quick;
+}
+
+template <class N>
+int sign_of_side(const Query& q) {
+    const V3<N> a = lift<N>(q.a);
+    return sign_of(dot(cross(lift<N>(q.b) - a, lift<N>(q.c) - a), lift<N>(q.to) - lift<N>(q.from)));
+}
+
+/// The exact sign of d . N: -1 if the motion is against the front of the triangle.
+int sign_of_side(const Query& q) {
+    const int quick = sign_of_side<Interval>(q);
+    return quick == unsure ? sign_of_side<Dyadic>(q) : quick;
+}
+
+/// The point of the triangle nearest to p, as weights of b and c, and which parts of the triangle p lies within
+/// `reach` of. In doubles, relative to a corner: good to far better than the bound.
+struct Placement {
+    double b = 0, c = 0, distance = 0;
+    bool on_edge = false, on_vertex = false;
+};
+
+Placement place(const Query& q, const Vec& point, double reach) {
+    const V3<double> corners[3] = {lift<double>(q.a), lift<double>(q.b), lift<double>(q.c)};
+    const V3<double> p = lift<double>(point);
+    Placement best;
+    best.distance = INFINITY;
+    const auto offer = [&](double b, double c) {
+        const V3<double> off =
+            (p - corners[0]) - scaled(corners[1] - corners[0], b) - scaled(corners[2] - corners[0], c);
+        const double distance = length(off);
+        if (distance < best.distance) best.distance = distance, best.b = b, best.c = c;
+        return distance;
+    };
+    constexpr double weights[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if (length(p - corners[i]) <= reach) best.on_vertex = best.on_edge = true;
+        offer(weights[i][0], weights[i][1]);
+        const V3<double> e = corners[j] - corners[i];
+        const double ee = dot(e, e);
+        if (!(ee > 0)) continue;
+        const double u = std::clamp(dot(p - corners[i], e) / ee, 0.0, 1.0);
+        if (length((p - corners[i]) - scaled(e, u)) <= reach) best.on_edge = true;
+        offer(weights[i][0] + u * (weights[j][0] - weights[i][0]), weights[i][1] + u * (weights[j][1] - weights[i][1]));
+    }
+    const V3<double> e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], r = p - corners[0];
+    const V3<double> n = cross(e1, e2);
+    const double nn = dot(n, n);
+    if (nn > 0) {
+        const double b = dot(n, cross(r, e2)) / nn, c = dot(n, cross(e1, r)) / nn;
+        if (b >= 0 && c >= 0 && b + c <= 1) offer(b, c);
+    }
+    return best;
+}
+
+class Hearing {
+public:
+    Hearing(const Query& query, const Answer& answer)
+        : query_(query), answer_(answer), examination_(query), bound_(allowed_gap * largest(query)) {}
+
+    Judgement run() {
+        const Answer& a = answer_;
+        if (!std::isfinite(a.t) || !is_finite(a.normal) || !is_finite(a.point))
+            return {Verdict::bad_status, 0, "the answer holds numbers that are not finite"};
+        if (!a.hit) return no_hit();
+        if (a.status != Status::ok) return {Verdict::bad_status, 0, "a query within the limits was not answered"};
+        if (!(a.t >= 0 && a.t <= 1)) return {Verdict::bad_status, 0, "t is not within [0, 1]"};
+        if (is_zero(minus(query_.to, query_.from))) return {Verdict::false_hit, 0, "a shape that stands still hit"};
+        if (query_.one_sided && sign_of_side(query_) != -1)
+            return {Verdict::false_hit, 0, "a one-sided triangle was hit from behind or along its plane"};
+        const Placement placement = place(query_, a.point, 2 * bound_);
+        Judgement judgement = a.t == 0 ? start(placement) : later(placement);
+        if (judgement.verdict != Verdict::right) return judgement;
+        if (const Judgement contact = judge_contact(placement); contact.verdict != Verdict::right)
+            return {contact.verdict, judgement.gap, contact.why};
+        return judgement;
+    }
+
+private:
+    static Vec minus(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+    Judgement no_hit() {
+        if (is_zero(minus(query_.to, query_.from))) return {Verdict::right, 0, "it stands still"};
+        if (query_.one_sided && sign_of_side(query_) != -1) return {Verdict::right, 0, "not against the front"};
+        if (examination_.find_quickly(nullptr, 1, true)) return {Verdict::right, 0, "a plane separates"};
+        const StartSigns signs = start_signs(query_, 0);
+        if (signs.depth == 0 || signs.depth == -1) {
+            if (signs.slope == 0 || signs.slope == 1) return {Verdict::right, 0, "in touch, and not going deeper"};
+            if (signs.slope == -1) return {Verdict::miss, 0, "in touch at the start and going deeper"};
+            return {Verdict::unproved, 0, "in touch at the start; the slope is not decided"};
+        }
+        if (examination_.find_thoroughly(1, true)) return {Verdict::right, 0, "a plane separates"};
+        if (examination_.overlaps_within(1)) return {Verdict::miss, 0, "the shape reaches the triangle"};
+        return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};
+    }
+
+    /// The gap at t, by the reported point or else by the nearest points that a search finds.
+    double gap_at(const Placement& placement) {
+        const double reported = examination_.reach(answer_.t, placement.b, placement.c);
+        point_is_near_ = reported <= bound_ && placement.distance <= bound_;
+        return reported <= bound_ ? reported : std::min(reported, examination_.reach(answer_.t));
+    }
+
+    Judgement start(const Placement& placement) {
+        const double gap = gap_at(placement) / bound_;
+        if (!(gap <= 1)) {
+            if (examination_.find_quickly(nullptr, 1, true)) return {Verdict::false_hit, gap, "there is no contact"};
+            return {Verdict::early, gap, "not in touch at the start"};
+        }
+        const StartSigns signs = start_signs(query_, 0);
+        start_gap_ = signs.g;
+        if (signs.slope == -1) return {Verdict::right, gap, "in touch and going deeper"};
+        if (signs.slope == unsure) return {Verdict::unproved, gap, "the slope at the start is not decided"};
+        return {Verdict::false_hit, gap, "in touch at the start, but not going deeper"};
+    }
+
+    Judgement later(const Placement& placement) {
+        const V3<double> n = examination_.into_frame(answer_.normal);
+        if (!examination_.find_quickly(&n, answer_.t, false) && !examination_.find_thoroughly(answer_.t, false)) {
+            if (examination_.overlaps_within(answer_.t)) return {Verdict::late, 0, "the shape cuts into the triangle"};
+            if (examination_.gap(n, answer_.t) < -bound_ && sign_along(query_, answer_.normal) == 1)
+                return {Verdict::unproved, 0, "no plane separates, and the normal is on the wrong side"};
+            return {Verdict::unproved, 0, "no plane was found that separates up to the hit"};
+        }
+        const double gap = gap_at(placement) / bound_;
+        if (!(gap <= 1)) {
+            if (examination_.find_quickly(nullptr, 1, true)) return {Verdict::false_hit, gap, "there is no contact"};
+            return {Verdict::early, gap, "too far away at the hit"};
+        }
+        // A false hit within the bound is allowed, but only if the shape approaches. Clear cases need no proof.
+        const Vec d = minus(query_.to, query_.from);
+        const double along = (answer_.normal.x * d.x + answer_.normal.y * d.y + answer_.normal.z * d.z);
+        const double speed = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+        if (along < -1e-6 * speed) return {Verdict::right, gap, "a hit"};
+        const bool is_miss = examination_.find_quickly(nullptr, 1, true) || examination_.find_thoroughly(1, true);
+        if (is_miss && start_signs(query_, answer_.t).slope != -1)
+            return {Verdict::false_hit, gap, "it passes near the triangle, and does not approach it at t"};
+        return {Verdict::right, gap, is_miss ? "passes within the bound" : "a hit"};
+    }
+
+    /// Normal, point and feature of a hit whose time is right.
+    Judgement judge_contact(const Placement& placement) {
+        const Vec& n = answer_.normal;
+        if (std::fabs(n.x * n.x + n.y * n.y + n.z * n.z - 1) > 1e-12)
+            return {Verdict::bad_normal, 0, "the normal is not of unit length"};
+        const V3<double> local = examination_.into_frame(n);
+        // Every normal's gap is a lower bound on the distance; that of the contact attains it.
+        double gap = examination_.gap(local, answer_.t), best = 0, allowed = 2 * bound_;
+        if (answer_.t == 0 && start_gap_ < 0) {
+            best = start_gap_;
+            if (query_.kind == Kind::ellipsoid) {
+                const V3<double>& r = examination_.local().size;
+                gap /= length(V3<double>{r.x * local.x, r.y * local.y, r.z * local.z});
+                allowed /= std::min({r.x, r.y, r.z});
+            }
+        }
+        if (gap < best - allowed) return {Verdict::bad_normal, 0, "the normal is not that of the contact"};
+        const Vec d = minus(query_.to, query_.from);
+        const double along = n.x * d.x + n.y * d.y + n.z * d.z;
+        if (sign_along(query_, n) > 0 &&
+            (answer_.t == 0 || along > 1e-6 * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)))
+            return {Verdict::bad_normal, 0, "the shape goes along the normal, not against it"};
+        if (!point_is_near_) return {Verdict::bad_point, 0, "the point is not on both triangle and shape"};
+        if ((answer_.feature == Feature::vertex && !placement.on_vertex) ||
+            (answer_.feature == Feature::edge && !placement.on_edge))
+            return {Verdict::bad_feature, 0, "the point is not on the feature"};
+        if (answer_.feature == Feature::face && !faces(local))
+            return {Verdict::bad_feature, 0, "the normal is not that of the face"};
+        return {Verdict::right, 0, ""};
+    }
+
+    /// Is the normal that of the triangle's plane? Slivers have no good normal: what counts is the gap it leaves.
+    bool faces(const V3<double>& n) const {
+        const Local<double>& l = examination_.local();
+        const double low = std::min({dot(n, l.w[0]), dot(n, l.w[1]), dot(n, l.w[2])});
+        const double high = std::max({dot(n, l.w[0]), dot(n, l.w[1]), dot(n, l.w[2])});
+        return high - low <= 2 * bound_;
+    }
+
+    const Query& query_;
+    const Answer& answer_;
+    Examination examination_;
+    double bound_;
+    double start_gap_ = 0;
+    bool point_is_near_ = false;
+};
+
+}  // namespace
+
+const char* name_of(Verdict verdict) noexcept {
+    constexpr const char* names[verdict_count] = {"right",      "miss",      "late",        "false hit",  "early",
+                                                  "bad normal", "bad point", "bad feature", "bad status", "unproved"};
+    return names[static_cast<int>(verdict)];
+}
+
+Judgement judge(const Query& query, const Answer& answer) {
+    if (!is_valid(query)) {
+        const bool blocked = answer.hit && answer.status == Status::invalid && answer.t == 0 &&
+                             is_zero(answer.normal) && is_finite(answer.point);
+        if (blocked) return {Verdict::right, 0, "blocked as invalid"};
+        return {Verdict::bad_status, 0, "data outside the limits were not blocked as invalid"};
+    }
+    return Hearing(query, answer).run();
+}
+
+}  // namespace judge
