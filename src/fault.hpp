@@ -30,9 +30,13 @@ inline Fault& active_fault() noexcept {
     static Fault fault = Fault::none;
     return fault;
 }
-inline bool has_fault(Fault fault) noexcept { return active_fault() == fault; }
+inline bool has_fault(Fault fault) noexcept {
+    return active_fault() == fault;
+}
 #else
-constexpr bool has_fault(Fault) noexcept { return false; }
+constexpr bool has_fault(Fault) noexcept {
+    return false;
+}
 #endif
 
 }  // namespace surefoot::internal
