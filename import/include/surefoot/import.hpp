@@ -1,0 +1,119 @@
+/// Levels made in other programs: OBJ, glTF (.gltf, .glb), .ply, .stl, .ac and .blend become triangles, surfaces, parts
+/// and markers, ready for `Mesh::build`.
+///
+/// OBJ is read here, exactly. Everything else is read in a child process with limits on its time and memory, so that a
+/// file that crashes, hangs or bloats the reader becomes an `Error` in your program and nothing worse. The child is the
+/// helper program `surefoot-importer`, looked for in this order: `ImportOptions::importer`, the environment variable
+/// SUREFOOT_IMPORTER, beside the running program, and where this library was installed. docs/import.md tells what each
+/// format carries.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <surefoot/error.hpp>
+#include <surefoot/math.hpp>
+#include <surefoot/mesh.hpp>
+
+namespace [[gnu::visibility("default")]] surefoot {
+inline namespace v0 {
+
+/// Which axis of the file points up. Whatever it is, the imported level has +Y up and stays right-handed.
+enum class UpAxis : std::uint8_t {
+    by_format,  ///< what the format says or, where it says nothing, what is usual: +Z for .stl and .ply, else +Y
+    x,          ///< +X is up: (x, y, z) becomes (-y, x, z)
+    y,          ///< +Y is up: nothing is turned
+    z,          ///< +Z is up: (x, y, z) becomes (x, z, -y)
+};
+
+/// How to read a file. Every default is meant to be kept.
+struct ImportOptions {
+    /// Metres for one unit of the file [1e-9 to 1e9]: 0.01 for centimetres, 0.0254 for inches.
+    double scale = 1;
+
+    /// `by_format` is right unless the file breaks its format's habit. For .blend it counts from what the file's own
+    /// program calls up, so leave it.
+    UpAxis up = UpAxis::by_format;
+
+    /// How long reading may take [s, above 0, at most 86400]. Too small and a large level fails with `limit`.
+    double time_limit = 120;
+
+    /// How much memory reading may take [bytes, at least 16 MiB]. Too small and a large level fails with `limit`.
+    std::uint64_t memory_limit = std::uint64_t{4} << 30;
+
+    /// Path of the helper program; empty means that it is looked for as told above. Not used for OBJ.
+    std::string importer{};
+};
+
+/// A run of triangles that had one name in the file: a node, an object or a group.
+struct ImportedPart {
+    std::string name;                  ///< as in the file, empty if it has none; names may repeat
+    std::uint32_t first_triangle = 0;  ///< id of its first triangle
+    std::uint32_t triangle_count = 0;  ///< at least 1; parts lie one after the other and cover all triangles
+};
+
+/// A named place with meaning for the game: a spawn, a goal, a platform's path.
+///
+/// Every node with glTF `extras` becomes a marker, and so does an empty node (no mesh, no children) without any.
+struct ImportedMarker {
+    std::string name;               ///< the node's name, empty if it has none
+    std::string kind;               ///< `extras.surefoot.kind`, else `extras.kind`, if that is text; else empty
+    std::string extras;             ///< the node's extras, JSON text in the order of the file; empty if it has none
+    dvec3 position{0, 0, 0};        ///< in the level's axes [m]
+    dquat orientation{1, 0, 0, 0};  ///< unit; turns the node's own axes (+Y up) into the level's
+    dvec3 scale{1, 1, 1};  ///< along the node's own axes, `ImportOptions::scale` not counted; x < 0 if mirrored
+};
+
+/// What reading a file left out or found odd. None of it is an error.
+struct ImportNotes {
+    std::uint64_t points_skipped = 0;        ///< points, and faces with one corner
+    std::uint64_t lines_skipped = 0;         ///< lines, and faces with two corners
+    std::uint64_t curves_skipped = 0;        ///< free-form curves and surfaces of an OBJ
+    std::uint64_t polygons_split = 0;        ///< faces with four or more corners, cut into triangles
+    std::uint64_t polygons_concave = 0;      ///< those among them whose ears had to be clipped
+    std::uint64_t polygons_crossed = 0;      ///< those that cross themselves, cut as a fan for want of anything better
+    std::uint64_t degenerate_triangles = 0;  ///< without area, as a double sees it; kept, with their ids
+};
+
+/// A level as it was in the file: every face, in the order of the file.
+struct ImportedLevel {
+    std::string file;                     ///< where it came from
+    std::vector<vec3> vertices;           ///< [m], finite, +Y up
+    std::vector<std::uint32_t> indices;   ///< three a triangle, each below vertices.size()
+    std::vector<std::uint32_t> surfaces;  ///< one a triangle, an index into surface_names
+    std::vector<std::string>
+        surface_names;  ///< materials by first use; [0] is "": triangles about which nothing is said
+    std::vector<std::string> surface_extras;  ///< one a surface: the material's glTF extras as JSON text, or empty
+    std::vector<ImportedPart> parts;
+    std::vector<ImportedMarker> markers;
+    ImportNotes notes;
+
+    [[nodiscard]] std::size_t triangle_count() const noexcept { return indices.size() / 3; }
+
+    /// For `Mesh::build`. Good as long as this level lives and does not change.
+    [[nodiscard]] MeshInput mesh_input() const noexcept {
+        return {.vertices = vertices, .indices = indices, .surfaces = surfaces};
+    }
+};
+
+/// Reads the level at `path` (UTF-8), in the format that the end of its name tells.
+///
+/// Guarantees: triangle ids are the order of the faces in the file; a face with n corners becomes n - 2 triangles in
+/// a row; no vertex is merged, moved or dropped. Coordinates of an OBJ are the floats nearest to the decimals in the
+/// file.
+///
+/// Fails with `not_found`; `unreadable` when the file is damaged, or crashes its reader; `unsupported` for an unknown
+/// kind of file, or when the helper program or Blender is needed and not there; `limit` beyond time_limit or
+/// memory_limit; `invalid` for options out of range, a coordinate that is not finite, an index out of range, or no
+/// triangles at all. The text names the file, the place in it, and what to do.
+///
+/// Threads: may be called from any number of threads at once.
+[[nodiscard]] Expected<ImportedLevel> import_level(const std::string& path, const ImportOptions& options = {});
+
+/// `Mesh::build` of an imported level; an error then names the file.
+[[nodiscard]] Expected<Mesh> build_mesh(const ImportedLevel& level);
+
+}  // namespace v0
+}  // namespace surefoot
