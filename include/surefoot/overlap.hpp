@@ -36,13 +36,16 @@ struct OverlapOptions {
 /// Does `volume` at `position` touch `triangle`, and which way is out?
 ///
 /// How short the way out is, by shape:
-///  - sphere and capsule: the shortest there is (for a pierced capsule core: out through the nearest face of the prism
-///    that the triangle and the core make);
-///  - box: the shortest there is, over its 13 axes;
-///  - ellipsoid: the shortest in squashed space, carried back: at most r_max / r_min times the shortest;
-///  - cylinder and cone: see docs/method.md for the bound.
+///  - sphere, capsule, box, cylinder, cone: the shortest there is, to rounding (for a pierced capsule core that is out
+///    through the nearest face of the prism that the triangle and the core make; for a box over its 13 axes);
+///  - ellipsoid: the shortest in squashed space, carried back: at most r_max / r_min times the shortest.
 ///
-/// Guarantees: allocates nothing; data outside the limits answer with status `invalid`, zero normal and zero depth.
+/// Touching counts, and rounding is given the benefit of the doubt: a gap of up to 2^-44 of the largest of the
+/// distances from the reference point to the corners and the shape's own size (for an ellipsoid both squashed) still
+/// touches, with depth 0. A reference point on the triangle's plane that may leave by either side leaves by the front.
+///
+/// Guarantees: allocates nothing; data outside the limits answer with status `invalid`, zero normal and zero depth; the
+/// corners in any order of the same winding give the same bits. docs/overlap.md has the formulas and their reasons.
 [[nodiscard]] std::optional<Overlap> overlap(const Volume& volume, const dvec3& position, const Triangle& triangle,
                                              const OverlapOptions& options = {}) noexcept;
 
