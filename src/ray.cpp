@@ -5,6 +5,7 @@
 #include <surefoot/ray.hpp>
 
 #include "exact/products.hpp"
+#include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "sweep/exact_query.hpp"
 #include "sweep/start.hpp"
@@ -92,7 +93,8 @@ Hit make_hit(double t, const Vec& from, const Vec& to, const Vec& normal, Featur
     Hit hit;
     hit.t = t;
     hit.point = to_dvec3(from + (to - from) * t);
-    hit.normal = to_dvec3(normal);
+    const Vec zero;
+    hit.normal = to_dvec3(normal + zero);  // no -0 to puzzle a reader
     hit.feature = feature;
     hit.started_inside = t == 0;
     return hit;
@@ -135,6 +137,7 @@ std::optional<Hit> cross_face(const Vec (&corners)[3], const Vec& from, const Ve
 }  // namespace
 
 std::optional<Hit> ray(const Motion& motion, const Triangle& triangle, const SweepOptions& options) noexcept {
+    const internal::IeeeGuard guard;
     if (!is_valid_point(motion.from) || !is_valid_point(motion.to) || !is_valid_triangle(triangle)) {
         Hit hit;
         hit.status = HitStatus::invalid;

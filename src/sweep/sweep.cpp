@@ -1,6 +1,7 @@
 #include "sweep/sweep.hpp"
 
 #include "fault.hpp"
+#include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "sweep/candidates.hpp"
 #include "sweep/contact_point.hpp"
@@ -22,7 +23,8 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
     hit.triangle = query.triangle_id;
     hit.feature = feature_of(query, corners);
     const Vec normal = has_fault(Fault::mirrored_normal) ? -plane.normal : plane.normal;
-    hit.normal = to_dvec3(query.frame.to_world(normal));
+    const Vec zero;
+    hit.normal = to_dvec3(query.frame.to_world(normal) + zero);  // no -0 to puzzle a reader
     if (has_fault(Fault::world_normal_not_unsquashed)) {
         if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
             hit.normal = to_dvec3(query.frame.to_world(unit(multiply_each(normal, to_vec(ellipsoid->radii)))));
@@ -118,6 +120,7 @@ inline namespace v0 {
 
 std::optional<Hit> sweep(const Volume& volume, const Motion& motion, const Triangle& triangle,
                          const SweepOptions& options, Trace* trace) noexcept {
+    const internal::IeeeGuard guard;
     if (!internal::is_valid_query(volume, motion) || !internal::is_valid_triangle(triangle)) {
         return internal::blocked(HitStatus::invalid);
     }

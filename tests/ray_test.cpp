@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+#include <limits>
+
+#include <surefoot/ray.hpp>
+
+#include "splitmix.hpp"
+
+namespace surefoot {
+namespace {
+
+const Triangle floor_triangle{{-5, 0, -5}, {0, 0, 5}, {5, 0, -5}};
+
+TEST(Ray, meets_a_face_where_it_crosses_it) {
+    const auto hit = ray({{1, 3, 0}, {1, -1, 0}}, floor_triangle);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->t, 0.75);
+    EXPECT_EQ(hit->feature, Feature::face);
+    EXPECT_EQ(hit->normal.y, 1);
+    EXPECT_EQ(hit->point, dvec3(1, 0, 0));
+    const auto from_below = ray({{1, -3, 0}, {1, 1, 0}}, floor_triangle);
+    ASSERT_TRUE(from_below.has_value());
+    EXPECT_EQ(from_below->normal.y, -1);
+}
+
+TEST(Ray, stops_short_of_a_face_it_does_not_reach) {
+    EXPECT_FALSE(ray({{1, 3, 0}, {1, 0.5, 0}}, floor_triangle).has_value());
+    EXPECT_FALSE(ray({{1, 3, 0}, {9, 3, 0}}, floor_triangle).has_value());
+    EXPECT_FALSE(ray({{9, 3, 0}, {9, -3, 0}}, floor_triangle).has_value());
+}
+
+TEST(Ray, through_an_edge_or_a_vertex_is_a_hit) {
+    const auto edge = ray({{0, 1, -5}, {0, -1, -5}}, floor_triangle);
+    ASSERT_TRUE(edge.has_value());
+    EXPECT_EQ(edge->feature, Feature::edge);
+    const auto vertex = ray({{0, 1, 5}, {0, -1, 5}}, floor_triangle);
+    ASSERT_TRUE(vertex.has_value());
+    EXPECT_EQ(vertex->feature, Feature::vertex);
+}
+
+TEST(Ray, within_the_plane_meets_the_first_edge) {
+    const auto hit = ray({{-9, 0, -4}, {9, 0, -4}}, floor_triangle);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->feature, Feature::edge);
+    EXPECT_NEAR(hit->point.x, -4.5, 1e-12);
+    EXPECT_EQ(hit->normal.x, -1);
+    EXPECT_FALSE(ray({{-9, 0, 6}, {9, 0, 6}}, floor_triangle).has_value());
+}
+
+TEST(Ray, that_starts_on_the_triangle_hits_it_there) {
+    for (const dvec3& to : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(1, 0, 0)}) {
+        const auto hit = ray({{0, 0, 0}, to}, floor_triangle);
+        ASSERT_TRUE(hit.has_value());
+        EXPECT_EQ(hit->t, 0);
+        EXPECT_TRUE(hit->started_inside);
+    }
+    EXPECT_FALSE(ray({{0, 0, 0}, {0, 0, 0}}, floor_triangle).has_value());
+}
+
+TEST(Ray, against_a_triangle_without_area_meets_the_segment) {
+    const Triangle segment{{-2, 0, 0}, {2, 0, 0}, {1, 0, 0}};
+    const auto hit = ray({{0, 1, 0}, {0, -1, 0}}, segment);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->t, 0.5);
+    EXPECT_FALSE(ray({{0, 1, 1e-30}, {0, -1, 1e-30}}, segment).has_value());
+    EXPECT_TRUE(ray({{-9, 0, 0}, {9, 0, 0}}, segment).has_value());
+}
+
+TEST(Ray, never_slips_between_two_triangles_that_share_an_edge) {
+    // Rays aimed at points of the shared edge, rounded to doubles, so that they pass within an ulp of it on either
+    // side.
+    tests::SplitMix random(7);
+    for (int i = 0; i < 20000; ++i) {
+        const dvec3 a = random.point(10);
+        const dvec3 b = random.point(10);
+        const dvec3 mid = (a + b) * 0.5;
+        const dvec3 side = random.point(5);
+        const Triangle left{a, b, mid + side};
+        const Triangle right{b, a, mid - side};
+        const dvec3 target = a + (b - a) * random.in(0.01, 0.99);
+        const dvec3 from = random.point(20);
+        const Motion motion{from, target + (target - from)};
+        // A ray almost in the plane of the pair may pass beside it: ask only those that cross it clearly.
+        const dvec3 u = b - a;
+        const dvec3 n(u.y * side.z - u.z * side.y, u.z * side.x - u.x * side.z, u.x * side.y - u.y * side.x);
+        const dvec3 d = target - from;
+        const double slope = n.x * d.x + n.y * d.y + n.z * d.z;
+        if (slope < 1 && slope > -1) continue;
+        EXPECT_TRUE(ray(motion, left).has_value() || ray(motion, right).has_value()) << i;
+    }
+}
+
+TEST(Ray, one_sided_sees_fronts_only) {
+    const Motion down{{0, 3, 0}, {0, -3, 0}};
+    EXPECT_TRUE(ray(down, floor_triangle, {.one_sided = true}).has_value());
+    EXPECT_FALSE(ray({down.to, down.from}, floor_triangle, {.one_sided = true}).has_value());
+}
+
+TEST(Ray, with_numbers_out_of_range_blocks_and_says_so) {
+    const auto hit = ray({{0, std::numeric_limits<double>::quiet_NaN(), 0}, {0, 0, 0}}, floor_triangle);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->status, HitStatus::invalid);
+    EXPECT_EQ(hit->t, 0);
+}
+
+}  // namespace
+}  // namespace surefoot
