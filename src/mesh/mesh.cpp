@@ -7,6 +7,7 @@
 #include <surefoot/mesh.hpp>
 #include <surefoot/ray.hpp>
 
+#include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "mesh/tree.hpp"
 #include "sweep/query.hpp"
@@ -92,6 +93,7 @@ Error invalid(std::string text) {
 Mesh::Mesh(std::shared_ptr<const Data> data) noexcept : data_(std::move(data)) {}
 
 Expected<Mesh> Mesh::build(const MeshInput& input) {
+    const internal::IeeeGuard guard;
     const std::size_t triangles = input.indices.size() / 3;
     if (input.indices.size() % 3 != 0) {
         return tl::unexpected(invalid("a mesh needs three indices a triangle, but there are " +
@@ -137,6 +139,7 @@ Expected<Mesh> Mesh::build(const MeshInput& input) {
 
 std::optional<Hit> Mesh::sweep(const Volume& volume, const Motion& motion,
                                const MeshQueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
     if (!is_valid_query(volume, motion)) return blocked(HitStatus::invalid);
     std::optional<Hit> first;
     const auto ask = [&](std::uint32_t id) {
@@ -154,6 +157,7 @@ std::optional<Hit> Mesh::sweep(const Volume& volume, const Motion& motion,
 }
 
 std::optional<Hit> Mesh::ray(const Motion& motion, const MeshQueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
     if (!is_valid_point(motion.from) || !is_valid_point(motion.to)) return blocked(HitStatus::invalid);
     std::optional<Hit> first;
     const auto ask = [&](std::uint32_t id) {
@@ -176,6 +180,7 @@ std::optional<Hit> Mesh::ray(const Motion& motion, const MeshQueryOptions& optio
 
 std::size_t Mesh::overlap(const Volume& volume, const dvec3& position, std::span<Overlap> found,
                           const MeshQueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
     const Motion standing{position, position};
     if (!is_valid_query(volume, standing)) {
         if (!found.empty()) {

@@ -3,6 +3,7 @@
 #include <surefoot/overlap.hpp>
 
 #include "frame.hpp"
+#include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "overlap/problem.hpp"
 #include "overlap/side.hpp"
@@ -74,6 +75,7 @@ Overlap blocked() noexcept {
 
 std::optional<Overlap> overlap(const Volume& volume, const dvec3& position, const Triangle& triangle,
                                const OverlapOptions& options) noexcept {
+    const internal::IeeeGuard guard;
     if (!is_valid(volume) || !internal::is_valid_point(position) || !internal::is_valid_triangle(triangle)) {
         return blocked();
     }
