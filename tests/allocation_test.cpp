@@ -1,0 +1,98 @@
+// Queries allocate nothing: every form of operator new is replaced by one that counts.
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+#include <vector>
+
+#include <surefoot/surefoot.hpp>
+
+#include "golden/queries.hpp"
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* count_and_allocate(std::size_t size) {
+    ++allocations;
+    void* memory = std::malloc(size == 0 ? 1 : size);
+    if (memory == nullptr) std::abort();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return count_and_allocate(size);
+}
+void* operator new[](std::size_t size) {
+    return count_and_allocate(size);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+TEST(Allocation, the_counter_counts) {
+    const std::size_t before = allocations;
+    const std::vector<int> one(1);
+    EXPECT_GT(allocations, before);
+}
+
+TEST(Allocation, building_a_mesh_allocates_and_asking_it_does_not) {
+    golden::Queries queries(1);
+    std::vector<surefoot::vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const surefoot::dvec3 corner = queries.position();
+        vertices.emplace_back(corner);
+        indices.push_back(i);
+    }
+    const std::size_t before_building = allocations;
+    const auto mesh = surefoot::Mesh::build({.vertices = vertices, .indices = indices});
+    ASSERT_TRUE(mesh);
+    EXPECT_GT(allocations, before_building);
+
+    const std::size_t before = allocations;
+    std::size_t hits = 0;
+    for (int i = 0; i < 600; ++i) {
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % 6);
+        const surefoot::Motion motion = queries.motion();
+        std::array<surefoot::Overlap, 4> found;
+        hits += mesh->sweep(volume, motion).has_value();
+        hits += mesh->ray(motion).has_value();
+        hits += mesh->overlap(volume, motion.from, found);
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(hits, 100u);
+}
+
+TEST(Allocation, no_query_against_one_triangle_allocates) {
+    golden::Queries queries(2);
+    const std::size_t before = allocations;
+    std::size_t hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+        queries.next_family();
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % 6);
+        const surefoot::Motion motion = queries.motion();
+        const surefoot::Triangle triangle = queries.triangle();
+        const surefoot::JumpArc arc{.from = motion.from, .velocity = motion.to};
+        hits += surefoot::sweep(volume, motion, triangle).has_value();
+        hits += surefoot::ray(motion, triangle).has_value();
+        hits += surefoot::overlap(volume, motion.from, triangle).has_value();
+        hits += surefoot::march(volume, arc, triangle, {.steps = 4}).has_value();
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(hits, 500u);
+}
+
+}  // namespace
