@@ -8,6 +8,7 @@
 
 #include <surefoot/error.hpp>
 #include <surefoot/hit.hpp>
+#include <surefoot/march.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/overlap.hpp>
 #include <surefoot/shapes.hpp>
@@ -79,6 +80,11 @@ private:
     explicit Mesh(std::shared_ptr<const Data> data) noexcept;
     std::shared_ptr<const Data> data_;
 };
+
+/// Walks `volume` along `path` through a mesh; see march.hpp. An unguarded march reports the lowest of the triangles
+/// that overlap at the sample, a guarded one the first touch.
+[[nodiscard]] std::optional<MarchHit> march(const Volume& volume, const Path& path, const Mesh& mesh,
+                                            const MarchOptions& options = {});
 
 }  // namespace v0
 }  // namespace surefoot
