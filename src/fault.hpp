@@ -21,7 +21,7 @@ enum class Fault {
     far_end_ignored,               // a hit beyond the end of the motion is reported
     squash_without_rotation,       // the orientation of the volume is forgotten
     world_normal_not_unsquashed,   // the squashed normal reported as the world's
-    hair_a_thousandfold,           // stops a visible distance early
+    hair_too_thick,                // stops early by a millionfold hair
     one_sided_by_rounding,         // the side of a one-sided triangle from rounded doubles
 };
 

@@ -12,7 +12,7 @@ void Planes::consider(const Vec& direction) noexcept {
     plane.normal = unit(direction);
     if (plane.normal == Vec{}) return;
 
-    const double slack_share = has_fault(Fault::one_ulp_late) ? 0.0 : 1.0;
+    const double slack_share = has_fault(Fault::one_ulp_late) ? 0 : (has_fault(Fault::hair_too_thick) ? 0x1p20 : 1);
     double top = dot(plane.normal, query_.corners[0]) + slack_share * query_.corner_slack[0];
     for (int i = 1; i < 3; ++i) {
         top = larger(top, dot(plane.normal, query_.corners[i]) + slack_share * query_.corner_slack[i]);

@@ -59,7 +59,10 @@ void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& h
 std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
                                   const Triangle& triangle, const Planes& planes) noexcept {
     if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
-    const Approach approach = approach_at_start(volume, motion, triangle);
+    Approach approach = approach_at_start(volume, motion, triangle);
+    if (has_fault(Fault::approach_in_doubles)) {
+        approach = planes.shallowest().approach < 0 ? Approach::deeper : Approach::no_closer;
+    }
     if (approach == Approach::overflow) {
         Hit hit = blocked(HitStatus::overflow);
         hit.triangle = query.triangle_id;
@@ -70,6 +73,15 @@ std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume,
     Hit hit = describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), 0);
     hit.started_inside = planes.starts_inside();
     return hit;
+}
+
+bool faces(const Motion& motion, const Triangle& triangle) noexcept {
+    if (has_fault(Fault::one_sided_by_rounding)) {
+        const Vec a = to_vec(triangle.a);
+        const Vec normal = cross(to_vec(triangle.b) - a, to_vec(triangle.c) - a);
+        return dot(to_vec(motion.to) - to_vec(motion.from), normal) < 0;
+    }
+    return approach_to_front(motion, triangle) == Approach::deeper;
 }
 
 std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
@@ -85,7 +97,9 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     if (planes.motion_is_free()) return std::nullopt;
     if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);
 
-    const double t = smaller(1, planes.time_of_last());
+    double t = smaller(1, planes.time_of_last());
+    if (has_fault(Fault::one_ulp_late)) t += t * 0x1p-52;
+    if (has_fault(Fault::padding_along_velocity)) t = larger(0, t - 0.001 / length(query.along));
     const Plane plane = planes.steadiest_at(t);
     return describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), t);
 }
@@ -106,7 +120,9 @@ std::optional<Hit> sweep_triangle(const Volume& volume, const Motion& motion, co
                                   std::uint32_t id, bool one_sided, Trace* trace) noexcept {
     // Standing still comes no closer to anything.
     if (to_vec(motion.from) == to_vec(motion.to)) return std::nullopt;
-    if (one_sided && approach_to_front(motion, triangle) != Approach::deeper) return std::nullopt;
+    if (has_fault(Fault::absolute_epsilon) && length(to_vec(motion.to) - to_vec(motion.from)) < 1e-5)
+        return std::nullopt;
+    if (one_sided && !faces(motion, triangle)) return std::nullopt;
     const SweepQuery query(volume, motion, triangle, id);
     const std::optional<Hit> hit = decide(query, volume, motion, triangle, trace);
     record_decision(trace, id, hit);

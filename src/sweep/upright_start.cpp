@@ -1,6 +1,5 @@
 #include "sweep/upright_start.hpp"
 
-#include "fault.hpp"
 #include "sweep/exact_query.hpp"
 #include "sweep/query.hpp"
 
@@ -52,7 +51,7 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
         all_close = all_close && plane.approach < -slope_hair;
         all_open = all_open && plane.approach > slope_hair;
     }
-    outlook.decided = all_close || all_open || has_fault(Fault::approach_in_doubles);
+    outlook.decided = all_close || all_open;
     outlook.approach = all_close ? Approach::deeper : Approach::no_closer;
     outlook.rims_matter = some_rim;
     return outlook;
