@@ -44,7 +44,18 @@ Expected<Format> format_of(const std::string& path) {
 }
 
 UpAxis usual_up(Format format) noexcept {
-    return format == Format::stl || format == Format::ply ? UpAxis::z : UpAxis::y;
+    switch (format) {
+        case Format::stl:
+        case Format::ply:
+        case Format::blend:
+            return UpAxis::z;
+        case Format::obj:
+        case Format::gltf:
+        case Format::glb:
+        case Format::ac:
+            break;
+    }
+    return UpAxis::y;
 }
 
 BlendAge blend_age(std::string_view head) noexcept {

@@ -12,7 +12,7 @@ enum class Format : std::uint8_t { obj, gltf, glb, ply, stl, ac, blend };
 /// By the end of the name, in any case of letters. Fails with `unsupported`.
 [[nodiscard]] Expected<Format> format_of(const std::string& path);
 
-/// The axis that points up when the file does not say, after what its reader has already turned.
+/// The axis that points up when the file does not say.
 [[nodiscard]] UpAxis usual_up(Format format) noexcept;
 
 /// What the first bytes of a .blend tell.

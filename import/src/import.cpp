@@ -9,6 +9,7 @@
 #include "format.hpp"
 #include "limited_read.hpp"
 #include "obj_reader.hpp"
+#include "programs.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -72,12 +73,22 @@ Expected<ImportedLevel> import_obj(const internal::LimitedRead& request, std::ui
                               {.deadline = request.deadline, .bytes = request.options.memory_limit - size});
 }
 
+/// Assimp reads most of them and fails, or crashes, on some. Blender reads them all.
+Expected<ImportedLevel> import_old_blend(const internal::LimitedRead& request) {
+    Expected<ImportedLevel> level = internal::read_in_child(request);
+    if (level || level.error().code != ErrorCode::unreadable) return level;
+    if (internal::find_blender()) return internal::read_through_blender(request);
+    Error error = level.error();
+    error.text += ", or install Blender, which is asked when Assimp fails";
+    return tl::unexpected(std::move(error));
+}
+
 Expected<ImportedLevel> import_blend(const internal::LimitedRead& request) {
     const auto head = read_text(request.path, 16);
     if (!head) return tl::unexpected(head.error());
     switch (internal::blend_age(*head)) {
         case internal::BlendAge::old:
-            return internal::read_in_child(request);
+            return import_old_blend(request);
         case internal::BlendAge::current:
             return internal::read_through_blender(request);
         case internal::BlendAge::no_blend:

@@ -70,8 +70,9 @@ Expected<std::string> find_blender() {
         begin = end + 1;
     }
     return tl::unexpected(missing(
-        "a .blend of Blender 2.80 or later is read by Blender itself, which is not installed; install it (Debian: apt "
-        "install blender), set SUREFOOT_BLENDER to its path, or export the level as .glb"));
+        "a .blend of Blender 2.80 or later, or a packed one, is read by Blender itself, which is not installed; "
+        "install it "
+        "(Debian: apt install blender python3-numpy), set SUREFOOT_BLENDER to its path, or export the level as .glb"));
 }
 
 }  // namespace surefoot::internal

@@ -22,7 +22,7 @@ inline namespace v0 {
 
 /// Which axis of the file points up. Whatever it is, the imported level has +Y up and stays right-handed.
 enum class UpAxis : std::uint8_t {
-    by_format,  ///< what the format says or, where it says nothing, what is usual: +Z for .stl and .ply, else +Y
+    by_format,  ///< what the format says or, where it says nothing, what is usual: +Z for .stl, .ply and .blend, else +Y
     x,          ///< +X is up: (x, y, z) becomes (-y, x, z)
     y,          ///< +Y is up: nothing is turned
     z,          ///< +Z is up: (x, y, z) becomes (x, z, -y)
@@ -33,8 +33,7 @@ struct ImportOptions {
     /// Metres for one unit of the file [1e-9 to 1e9]: 0.01 for centimetres, 0.0254 for inches.
     double scale = 1;
 
-    /// `by_format` is right unless the file breaks its format's habit. For .blend it counts from what the file's own
-    /// program calls up, so leave it.
+    /// `by_format` is right unless the file breaks its format's habit.
     UpAxis up = UpAxis::by_format;
 
     /// How long reading may take [s, above 0, at most 86400]. Too small and a large level fails with `limit`.
