@@ -39,7 +39,11 @@ public:
         return low - support(n);
     }
 
+    /// Normals whose gap in doubles is clearly below this are passed over: wide floats are slow.
+    void screen(double least_gap) { least_gap_ = least_gap; }
+
     const std::vector<CurvedNormal<F>>& run() {
+        for (const V3<F>& w : corners_) rough_corners_.push_back(to_doubles(w));
         const F zero(0);
         for (const V3<F>& n : faces_) propose_both(n);
         propose_both({zero, F(1), zero});
@@ -62,7 +66,19 @@ private:
         return disc < F(0) ? F(0) : disc;
     }
 
+    [[nodiscard]] bool is_hopeless(const V3<double>& n) const {
+        const double size = length(n);
+        if (least_gap_ == -HUGE_VAL || !(size > 0)) return false;
+        double low = HUGE_VAL;
+        for (const V3<double>& w : rough_corners_) low = std::min(low, dot(n, w));
+        const double flat = to_double(size_.x) * std::sqrt(n.x * n.x + n.z * n.z), tall = to_double(size_.y);
+        const double support =
+            kind_ == Kind::cylinder ? flat + tall * std::fabs(n.y) : std::max(0.0, flat - tall * n.y);
+        return (low - support) / size < least_gap_;
+    }
+
     void propose(const V3<F>& n) {
+        if (is_hopeless(to_doubles(n))) return;
         const F size = length(n);
         if (!(size > F(0))) return;
         const V3<F> unit = scaled(n, F(1) / size);
@@ -160,6 +176,7 @@ private:
             double roots[96];
             const int count = rough.roots(roots);
             for (int i = 0; i < count; ++i) {
+                if (is_hopeless(rough.p + scaled(rough.q, roots[i]))) continue;
                 F tau(roots[i]);
                 for (int polish = 0; polish < (sizeof(F) > 16 ? 5 : 3); ++polish) {
                     F derivative(0);
@@ -217,6 +234,8 @@ private:
     std::vector<Edge> edges_;
     std::vector<V3<F>> faces_;
     std::vector<CurvedNormal<F>> found_;
+    std::vector<V3<double>> rough_corners_;
+    double least_gap_ = -HUGE_VAL;
 };
 
 }  // namespace judge

@@ -44,13 +44,14 @@ V3<F> rounded(const V3<Dyadic>& v) {
 
 /// `band`: relative to the size of things, what counts as equal; `sure`: below it the long doubles do not decide.
 template <class F>
-StartSigns decide(const Kind kind, const Exactly& at, double band, bool rigid) {
+StartSigns decide(const Kind kind, const Exactly& at, double band, bool rigid, double least_gap) {
     const F scale = F(1) / RoundedOnce<F>::from(at.s);
     V3<F> w[3];
     for (int i = 0; i < 3; ++i) w[i] = scaled(rounded<F>(at.w[i]), scale);
     const V3<F> d = scaled(rounded<F>(at.d), scale), size = rounded<F>(at.size);
 
     CurvedNormals<F> normals(kind, size, d);
+    normals.screen(least_gap);
     for (int i = 0; i < 3; ++i) {
         normals.add_corner(w[i]);
         normals.add_edge(w[i], w[(i + 1) % 3]);
@@ -90,9 +91,13 @@ StartSigns decide(const Kind kind, const Exactly& at, double band, bool rigid) {
 
 StartSigns curved_start(const Query& query, double t) {
     const Exactly at(query, t);
-    const StartSigns quick = decide<long double>(query.kind, at, 1e-13, false);
+    const StartSigns quick = decide<long double>(query.kind, at, 1e-13, false, -HUGE_VAL);
     if (quick.depth != unsure && quick.slope != unsure) return quick;
-    return decide<Big>(query.kind, at, 1e-60, true);
+    double largest_here = std::fmax(query.size.x, query.size.y);
+    for (const V3<Dyadic>& w : at.w)
+        largest_here = std::fmax(largest_here,
+                                 length(V3<double>{to_double(w.x), to_double(w.y), to_double(w.z)}) / to_double(at.s));
+    return decide<Big>(query.kind, at, 1e-60, true, quick.g - 1e-9 * largest_here);
 }
 
 StartSigns start_signs(const Query& query, double t) {

@@ -60,7 +60,8 @@ public:
     friend Big operator+(const Big& a, const Big& b) { return Big(mpf_class(a.v_ + b.v_)); }
     friend Big operator-(const Big& a, const Big& b) { return Big(mpf_class(a.v_ - b.v_)); }
     friend Big operator*(const Big& a, const Big& b) { return Big(mpf_class(a.v_ * b.v_)); }
-    friend Big operator/(const Big& a, const Big& b) { return Big(mpf_class(a.v_ / b.v_)); }
+    /// By zero: zero, as GMP would end the program; a proposal from it is as good as none.
+    friend Big operator/(const Big& a, const Big& b) { return sgn(b.v_) == 0 ? Big() : Big(mpf_class(a.v_ / b.v_)); }
     friend Big operator-(const Big& a) { return Big(mpf_class(-a.v_)); }
     friend bool operator<(const Big& a, const Big& b) { return a.v_ < b.v_; }
     friend bool operator>(const Big& a, const Big& b) { return a.v_ > b.v_; }

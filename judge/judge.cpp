@@ -18,17 +18,6 @@ bool is_zero(const Vec& v) {
 }
 
 template <class N>
-int sign_along(const Query& q, const Vec& n) {
-    return sign_of(dot(lift<N>(n), lift<N>(q.to) - lift<N>(q.from)));
-}
-
-/// The exact sign of n . d.
-int sign_along(const Query& q, const Vec& n) {
-    const int quick = sign_along<Interval>(q, n);
-    return quick == unsure ? sign_along<Dyadic>(q, n) : quick;
-}
-
-template <class N>
 int sign_of_side(const Query& q) {
     const V3<N> a = lift<N>(q.a);
     return sign_of(dot(cross(lift<N>(q.b) - a, lift<N>(q.c) - a), lift<N>(q.to) - lift<N>(q.from)));
@@ -84,7 +73,11 @@ Placement place(const Query& q, const Vec& point, double reach) {
 class Hearing {
 public:
     Hearing(const Query& query, const Answer& answer)
-        : query_(query), answer_(answer), examination_(query), bound_(allowed_gap * largest(query)) {}
+        : query_(query),
+          answer_(answer),
+          examination_(query),
+          bound_(allowed_gap * largest(query)),
+          reach_(largest_dimension(query)) {}
 
     Judgement run() {
         const Answer& a = answer_;
@@ -118,7 +111,8 @@ private:
             return {Verdict::unproved, 0, "in touch at the start; the slope is not decided"};
         }
         if (examination_.find_thoroughly(1, true)) return {Verdict::right, 0, "a plane separates"};
-        if (examination_.overlaps_within(1)) return {Verdict::miss, 0, "the shape reaches the triangle"};
+        if (examination_.overlaps_within(1) || start_signs(query_, 1).depth <= 0)
+            return {Verdict::miss, 0, "the shape reaches the triangle"};
         return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};
     }
 
@@ -126,7 +120,7 @@ private:
     double gap_at(const Placement& placement) {
         const double reported = examination_.reach(answer_.t, placement.b, placement.c);
         point_is_near_ = reported <= bound_ && placement.distance <= bound_;
-        return reported <= bound_ ? reported : std::min(reported, examination_.reach(answer_.t));
+        return reported <= bound_ ? reported : std::min(reported, examination_.reach(answer_.t, bound_));
     }
 
     Judgement start(const Placement& placement) {
@@ -146,8 +140,6 @@ private:
         const V3<double> n = examination_.into_frame(answer_.normal);
         if (!examination_.find_quickly(&n, answer_.t, false) && !examination_.find_thoroughly(answer_.t, false)) {
             if (examination_.overlaps_within(answer_.t)) return {Verdict::late, 0, "the shape cuts into the triangle"};
-            if (examination_.gap(n, answer_.t) < -bound_ && sign_along(query_, answer_.normal) == 1)
-                return {Verdict::unproved, 0, "no plane separates, and the normal is on the wrong side"};
             return {Verdict::unproved, 0, "no plane was found that separates up to the hit"};
         }
         const double gap = gap_at(placement) / bound_;
@@ -172,21 +164,10 @@ private:
         if (std::fabs(n.x * n.x + n.y * n.y + n.z * n.z - 1) > 1e-12)
             return {Verdict::bad_normal, 0, "the normal is not of unit length"};
         const V3<double> local = examination_.into_frame(n);
-        // Every normal's gap is a lower bound on the distance; that of the contact attains it.
-        double gap = examination_.gap(local, answer_.t), best = 0, allowed = 2 * bound_;
-        if (answer_.t == 0 && start_gap_ < 0) {
-            best = start_gap_;
-            if (query_.kind == Kind::ellipsoid) {
-                const V3<double>& r = examination_.local().size;
-                gap /= length(V3<double>{r.x * local.x, r.y * local.y, r.z * local.z});
-                allowed /= std::min({r.x, r.y, r.z});
-            }
-        }
-        if (gap < best - allowed) return {Verdict::bad_normal, 0, "the normal is not that of the contact"};
+        if (!is_of_contact(local)) return {Verdict::bad_normal, 0, "the normal is not that of the contact"};
         const Vec d = minus(query_.to, query_.from);
         const double along = n.x * d.x + n.y * d.y + n.z * d.z;
-        if (sign_along(query_, n) > 0 &&
-            (answer_.t == 0 || along > 1e-6 * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)))
+        if (along > angle * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z))
             return {Verdict::bad_normal, 0, "the shape goes along the normal, not against it"};
         if (!point_is_near_) return {Verdict::bad_point, 0, "the point is not on both triangle and shape"};
         if ((answer_.feature == Feature::vertex && !placement.on_vertex) ||
@@ -197,18 +178,55 @@ private:
         return {Verdict::right, 0, ""};
     }
 
-    /// Is the normal that of the triangle's plane? Slivers have no good normal: what counts is the gap it leaves.
-    bool faces(const V3<double>& n) const {
-        const Local<double>& l = examination_.local();
-        const double low = std::min({dot(n, l.w[0]), dot(n, l.w[1]), dot(n, l.w[2])});
-        const double high = std::max({dot(n, l.w[0]), dot(n, l.w[1]), dot(n, l.w[2])});
-        return high - low <= 2 * bound_;
+    /// Every normal's gap is a lower bound on the distance; that of the contact attains it.
+    bool is_of_contact(const V3<double>& n) const {
+        double gap = examination_.gap(n, answer_.t), best = 0, allowed = 2 * bound_;
+        if (answer_.t == 0 && start_gap_ < -bound_) {  // deep inside: the shortest way out
+            best = start_gap_;
+            allowed += angle * reach_;
+            if (query_.kind == Kind::ellipsoid) {
+                const V3<double>& r = examination_.local().size;
+                gap /= length(V3<double>{r.x * n.x, r.y * n.y, r.z * n.z});
+                allowed /= std::min({r.x, r.y, r.z});
+            }
+            return gap >= best - allowed;
+        }
+        if (gap >= best - allowed) return true;
+        // A slight turn of the normal costs a gap far out on a large triangle. What counts is near the contact: there
+        // the triangle must lie behind the plane, and the shape before it.
+        const V3<double> apart = examination_.into_frame(minus(at(answer_.t), answer_.point));
+        if (dot(n, apart) < examination_.support(n) - allowed - angle * reach_) return false;
+        return above(n, 1) <= allowed + angle * reach_;
     }
+
+    /// How far the triangle, as far as it is within the shape's size of the contact, rises above the plane through the
+    /// reported point; with `sides` 2, or falls below it.
+    double above(const V3<double>& n, int sides) const {
+        double most = 0;
+        for (const Vec* corner : {&query_.a, &query_.b, &query_.c}) {
+            const V3<double> v = examination_.into_frame(minus(*corner, answer_.point));
+            const double rise = dot(n, v) * std::min(1.0, reach_ / std::max(length(v), reach_));
+            most = std::max(most, sides == 2 ? std::fabs(rise) : rise);
+        }
+        return most;
+    }
+
+    /// Is the normal that of the triangle's plane?
+    bool faces(const V3<double>& n) const { return above(n, 2) <= 2 * bound_ + angle * reach_; }
+
+    Vec at(double t) const {
+        const Vec d = minus(query_.to, query_.from);
+        return {query_.from.x + t * d.x, query_.from.y + t * d.y, query_.from.z + t * d.z};
+    }
+
+    /// How much a reported normal may be turned from a true one. [rad]
+    static constexpr double angle = 1e-5;
 
     const Query& query_;
     const Answer& answer_;
     Examination examination_;
     double bound_;
+    double reach_;
     double start_gap_ = 0;
     bool point_is_near_ = false;
 };

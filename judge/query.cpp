@@ -31,26 +31,33 @@ bool is_valid(const Query& query) noexcept {
     for (const Vec* v : {&query.from, &query.to, &query.a, &query.b, &query.c})
         if (!within(*v, far)) return false;  // false for NaN as well
     const double dims[3] = {query.size.x, query.size.y, query.size.z};
-    double low = 1e6, high = 1e-6;
+    double low = dims[0], high = dims[0];
     for (int i = 0; i < size_count(query.kind); ++i) {
-        if (!(dims[i] >= 1e-6 && dims[i] <= 1e6)) return false;
-        low = std::min(low, dims[i]);
+        if (!(dims[i] <= 1e6)) return false;
+        // A capsule without a straight part is a ball, and fine.
+        if (query.kind == Kind::capsule && i == 1 ? !(dims[i] >= 0) : !(dims[i] >= 1e-6)) return false;
+        if (query.kind != Kind::capsule || i == 0) low = std::min(low, dims[i]);
         high = std::max(high, dims[i]);
     }
     if (high > 1e4 * low) return false;
     const double q[4] = {query.qw, query.qx, query.qy, query.qz};
     double size = 0;
     for (const double part : q) {
-        if (!std::isfinite(part)) return false;
+        if (!(std::fabs(part) <= 0x1p500)) return false;
         size = std::max(size, std::fabs(part));
     }
-    return size > 0;
+    return size >= 0x1p-500;
 }
 
 double largest(const Query& query) noexcept {
     double size = 0;
     for (const Vec* v : {&query.from, &query.to, &query.a, &query.b, &query.c}) size = std::max(size, largest_of(*v));
+    return std::max(size, largest_dimension(query));
+}
+
+double largest_dimension(const Query& query) noexcept {
     const double dims[3] = {query.size.x, query.size.y, query.size.z};
+    double size = 0;
     for (int i = 0; i < size_count(query.kind); ++i) size = std::max(size, dims[i]);
     return size;
 }

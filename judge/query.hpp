@@ -49,4 +49,7 @@ struct Answer {
 /// The largest coordinate or dimension in the query: what the bound on the gap is relative to.
 [[nodiscard]] double largest(const Query& query) noexcept;
 
+/// The largest dimension of the shape.
+[[nodiscard]] double largest_dimension(const Query& query) noexcept;
+
 }  // namespace judge

@@ -80,7 +80,10 @@ V3<double> nearest_of_shape(Kind kind, const V3<double>& s, const V3<double>& p)
 V3<double> drawn_in(const Query& query, const V3<double>& k) {
     const V3<double> s = lift<double>(query.size);
     double high = s.x, low = s.x;
-    if (size_count(query.kind) > 1) high = std::max(high, s.y), low = std::min(low, s.y);
+    if (query.kind == Kind::capsule)
+        high = std::max(high, s.y);
+    else if (size_count(query.kind) > 1)
+        high = std::max(high, s.y), low = std::min(low, s.y);
     if (size_count(query.kind) > 2) high = std::max(high, s.z), low = std::min(low, s.z);
     const V3<double> middle{0, query.kind == Kind::cone ? -0.6 * s.y : 0, 0};
     return middle + scaled(k - middle, 1 - 8e-15 * (high / low));
@@ -125,18 +128,24 @@ double Examination::reach(double t, double weight_b, double weight_c) {
     return std::sqrt(squared.high()) / frame.turn.s.low() * (1 + 1e-15);
 }
 
-double Examination::reach(double t) {
-    Local<double> there = local_;
-    for (V3<double>& w : there.w) w = w + scaled(there.d, t);
-    const Nearest<double> found = Gjk<double>(there, there.w, 3).run(60, 1e-15);
+template <class F>
+double Examination::reach_by_search(const Local<F>& local, double t, int steps) {
+    Local<F> there = local;
+    for (V3<F>& w : there.w) w = w + scaled(there.d, F(t));
+    const Nearest<F> found = Gjk<F>(there, there.w, 3).run(steps, 1e-15);
     double weights[3] = {0, 0, 0};
     double total = 0;
     for (int i = 0; i < found.count; ++i) {
-        weights[found.corner[i]] += found.weight[i];
-        total += found.weight[i];
+        weights[found.corner[i]] += to_double(found.weight[i]);
+        total += to_double(found.weight[i]);
     }
     if (!(total > 0)) weights[0] = total = 1;
     return reach(t, weights[1] / total, weights[2] / total);
+}
+
+double Examination::reach(double t, double allowed) {
+    const double quick = reach_by_search(local_, t, 60);
+    return quick <= allowed ? quick : std::min(quick, reach_by_search(Local<Quad>(query_), t, 200));
 }
 
 bool Examination::overlaps_within(double t) {

@@ -76,8 +76,32 @@ bool Examination::try_direction(const Nearest<F>& found, const Local<F>& local, 
 
 bool Examination::find_quickly(const V3<double>* hint, double t, bool strict) {
     if (hint != nullptr && separates(*hint, t, strict)) return true;
-    if (query_.kind == Kind::box) return find_facets(intervals(), t, strict);
+    if (query_.kind == Kind::box) return separates(best_box_facet(t), t, strict) || find_facets(intervals(), t, strict);
     return try_direction(nearest(t, local_), local_, t, strict);
+}
+
+/// Of the normals below, the one with the largest gap, in doubles.
+V3<double> Examination::best_box_facet(double t) const {
+    const V3<double> edges[4] = {local_.w[1] - local_.w[0], local_.w[2] - local_.w[1], local_.w[0] - local_.w[2],
+                                 local_.d};
+    constexpr V3<double> axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    V3<double> best = axes[1];
+    double most = -HUGE_VAL;
+    const auto offer = [&](const V3<double>& n) {
+        const double size = length(n);
+        if (!(size > 0)) return;
+        for (const V3<double>& unit : {scaled(n, 1 / size), scaled(n, -1 / size)}) {
+            const double least = std::min(gap(unit, 0), gap(unit, t));
+            if (least > most) most = least, best = unit;
+        }
+    };
+    offer(cross(edges[0], edges[1]));
+    for (int i = 0; i < 3; ++i) {
+        offer(axes[i]);
+        offer(cross(edges[i], local_.d));
+        for (const V3<double>& e : edges) offer(cross(e, axes[i]));
+    }
+    return best;
 }
 
 /// For a box these are all the normals there can be (the facets of prism + box); for the others, those of the flat
@@ -102,33 +126,62 @@ bool Examination::find_facets(const Frame<N>& frame, double t, bool strict) {
     return false;
 }
 
-/// A normal in exact numbers from the corners that span the nearest point (ball-like shapes).
-bool Examination::find_spanned(const Nearest<Quad>& found, double t, bool strict) {
-    if (found.overlaps || query_.kind == Kind::cylinder || query_.kind == Kind::cone) return false;
+/// A corner of the prism that the triangle sweeps, less a corner of the core; squashed for an ellipsoid.
+V3<Dyadic> Examination::corner_exactly(int corner, int mate, double t) {
     const Frame<Dyadic>& frame = exactly();
-    const V3<Dyadic> r = lift<Dyadic>(query_.size);
-    const V3<Dyadic> squash{r.y * r.z, r.x * r.z, r.x * r.y};
-    const bool squashed = query_.kind == Kind::ellipsoid;
-    const auto times = [](const V3<Dyadic>& a, const V3<Dyadic>& b) {
-        return V3<Dyadic>{a.x * b.x, a.y * b.y, a.z * b.z};
-    };
-    V3<Dyadic> p[3];
-    for (int i = 0; i < std::min(found.count, 3); ++i) {
-        p[i] = frame.w[found.corner[i] % 3];
-        if (found.corner[i] >= 3) p[i] = p[i] + scaled(frame.d, Dyadic(t));
-        if (query_.kind == Kind::capsule) p[i].y = p[i].y + (found.mate[i] ? -frame.size.y : frame.size.y);
-        if (squashed) p[i] = times(p[i], squash);
+    V3<Dyadic> p = frame.w[corner % 3];
+    if (corner >= 3) p = p + scaled(frame.d, Dyadic(t));
+    if (query_.kind == Kind::capsule) p.y = p.y + (mate != 0 ? -frame.size.y : frame.size.y);
+    if (query_.kind == Kind::ellipsoid) {
+        const V3<Dyadic> r = lift<Dyadic>(query_.size);
+        p = {p.x * (r.y * r.z), p.y * (r.x * r.z), p.z * (r.x * r.y)};
     }
+    return p;
+}
+
+/// The normal towards the point, line or plane that these corners span, in exact numbers.
+bool Examination::try_span(const V3<Dyadic>* p, int count, double t, bool strict) {
     V3<Dyadic> n = p[0];
-    if (found.count == 2) {
+    if (count == 2) {
         const V3<Dyadic> e = p[1] - p[0];
         n = scaled(p[0], dot(e, e)) - scaled(e, dot(p[0], e));
-    } else if (found.count == 3) {
+    } else if (count == 3) {
         n = cross(p[1] - p[0], p[2] - p[0]);
         if (sign_of(dot(n, p[0])) < 0) n = -n;
     }
-    if (squashed) n = times(n, squash);
-    return is_enough(gap_signs(frame, n, Dyadic(t)), strict);
+    if (query_.kind == Kind::ellipsoid) {
+        const V3<Dyadic> r = lift<Dyadic>(query_.size);
+        n = {n.x * (r.y * r.z), n.y * (r.x * r.z), n.z * (r.x * r.y)};
+    }
+    return is_enough(gap_signs(exactly(), n, Dyadic(t)), strict);
+}
+
+/// Ball-like shapes: from the corners that span the nearest point.
+bool Examination::find_spanned(const Nearest<Quad>& found, double t, bool strict) {
+    if (found.overlaps) return false;
+    V3<Dyadic> p[3];
+    const int count = std::min(found.count, 3);
+    for (int i = 0; i < count; ++i) p[i] = corner_exactly(found.corner[i], found.mate[i], t);
+    return try_span(p, count, t, strict);
+}
+
+/// Ball-like shapes, when even wide floats cannot tell corners apart (an ulp of zero is 5e-324): all there are.
+bool Examination::find_any_spanned(double t, bool strict) {
+    const int mates = query_.kind == Kind::capsule ? 2 : 1, count = 6 * mates;
+    V3<Dyadic> all[12];
+    for (int i = 0; i < count; ++i) all[i] = corner_exactly(i / mates, i % mates, t);
+    for (int i = 0; i < count; ++i) {
+        if (try_span(&all[i], 1, t, strict)) return true;
+        for (int j = i + 1; j < count; ++j) {
+            const V3<Dyadic> two[2] = {all[i], all[j]};
+            if (try_span(two, 2, t, strict)) return true;
+            for (int k = j + 1; k < count; ++k) {
+                const V3<Dyadic> three[3] = {all[i], all[j], all[k]};
+                if (try_span(three, 3, t, strict)) return true;
+            }
+        }
+    }
+    return false;
 }
 
 bool Examination::find_curved(const Local<Quad>& local, double t, bool strict) {
@@ -157,32 +210,34 @@ bool Examination::find_thoroughly(double t, bool strict) {
     const Local<Quad> local(query_);
     const Nearest<Quad> found = nearest(t, local);
     if (try_direction(found, local, t, strict)) return true;
-    if (find_spanned(found, t, strict) || find_facets(exactly(), t, strict)) return true;
-    return (query_.kind == Kind::cylinder || query_.kind == Kind::cone) && find_curved(local, t, strict);
+    if (find_facets(exactly(), t, strict)) return true;
+    if (query_.kind == Kind::cylinder || query_.kind == Kind::cone) return find_curved(local, t, strict);
+    return find_spanned(found, t, strict) || find_any_spanned(t, strict);
+}
+
+double Examination::support(const V3<double>& n) const {
+    const V3<double>& s = local_.size;
+    const auto flat = [&] { return s.x * std::sqrt(n.x * n.x + n.z * n.z); };
+    switch (query_.kind) {
+        case Kind::sphere:
+            return s.x * length(n);
+        case Kind::ellipsoid:
+            return length(V3<double>{s.x * n.x, s.y * n.y, s.z * n.z});
+        case Kind::capsule:
+            return s.y * std::fabs(n.y) + s.x * length(n);
+        case Kind::box:
+            return s.x * std::fabs(n.x) + s.y * std::fabs(n.y) + s.z * std::fabs(n.z);
+        case Kind::cylinder:
+            return s.y * std::fabs(n.y) + flat();
+        case Kind::cone:
+            break;
+    }
+    return std::max(0.0, flat() - s.y * n.y);
 }
 
 double Examination::gap(const V3<double>& n, double t) const {
-    const Support<double> h = [&] {
-        const auto flat = [&] { return local_.size.x * std::sqrt(n.x * n.x + n.z * n.z); };
-        const V3<double>& s = local_.size;
-        switch (query_.kind) {
-            case Kind::sphere:
-                return Support<double>{s.x * length(n), 0, false};
-            case Kind::ellipsoid:
-                return Support<double>{length(V3<double>{s.x * n.x, s.y * n.y, s.z * n.z}), 0, false};
-            case Kind::capsule:
-                return Support<double>{s.y * std::fabs(n.y) + s.x * length(n), 0, false};
-            case Kind::box:
-                return Support<double>{s.x * std::fabs(n.x) + s.y * std::fabs(n.y) + s.z * std::fabs(n.z), 0, false};
-            case Kind::cylinder:
-                return Support<double>{s.y * std::fabs(n.y) + flat(), 0, false};
-            case Kind::cone:
-                break;
-        }
-        return Support<double>{std::max(0.0, flat() - s.y * n.y), 0, false};
-    }();
     const double low = std::min({dot(n, local_.w[0]), dot(n, local_.w[1]), dot(n, local_.w[2])});
-    return (low + t * dot(n, local_.d) - h.lin) / length(n);
+    return (low + t * dot(n, local_.d) - support(n)) / length(n);
 }
 
 template bool Examination::separates<double>(const V3<double>&, double, bool);

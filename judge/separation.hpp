@@ -38,21 +38,29 @@ public:
     /// A rigorous upper bound on how far triangle and shape are apart at time t: the distance between the point with
     /// the given weights of b and c (clamped to the triangle) and a point of the shape near it. [m]
     [[nodiscard]] double reach(double t, double weight_b, double weight_c);
-    /// The same for the nearest points that a search finds.
-    [[nodiscard]] double reach(double t);
+    /// The same for the nearest points that a search finds; it is content with `allowed`.
+    [[nodiscard]] double reach(double t, double allowed);
 
     /// The gap along n at time t in doubles: a lower bound on the distance, but for its rounding. [m]
     [[nodiscard]] double gap(const V3<double>& n, double t) const;
+    /// The support function of K' in doubles.
+    [[nodiscard]] double support(const V3<double>& n) const;
 
 private:
+    [[nodiscard]] V3<double> best_box_facet(double t) const;
     template <class N>
     [[nodiscard]] bool find_facets(const Frame<N>& frame, double t, bool strict);
     template <class F>
     [[nodiscard]] Nearest<F> nearest(double t, const Local<F>& local) const;
     template <class F>
     [[nodiscard]] bool try_direction(const Nearest<F>& found, const Local<F>& local, double t, bool strict);
+    template <class F>
+    [[nodiscard]] double reach_by_search(const Local<F>& local, double t, int steps);
     [[nodiscard]] bool find_curved(const Local<Quad>& local, double t, bool strict);
     [[nodiscard]] bool find_spanned(const Nearest<Quad>& found, double t, bool strict);
+    [[nodiscard]] bool find_any_spanned(double t, bool strict);
+    [[nodiscard]] V3<Dyadic> corner_exactly(int corner, int mate, double t);
+    [[nodiscard]] bool try_span(const V3<Dyadic>* corners, int count, double t, bool strict);
 
     const Query& query_;
     Local<double> local_;

@@ -1,6 +1,9 @@
 /// Three numbers of any kind (interval, dyadic or float) and what is computed of them.
 #pragma once
 
+#include <cmath>
+#include <type_traits>
+
 #include "query.hpp"
 
 namespace judge {
@@ -50,7 +53,9 @@ struct Turn {
     bool none = false;
 
     explicit Turn(const Query& query) : s(1.0) {
-        const N w(query.qw), x(query.qx), y(query.qy), z(query.qz);
+        // Floats are spared overflow by a power of two, which changes nothing; exact numbers need no such care.
+        const double by = std::is_floating_point_v<N> ? power_for(query) : 1;
+        const N w(query.qw * by), x(query.qx * by), y(query.qy * by), z(query.qz * by);
         const N two(2.0);
         s = w * w + x * x + y * y + z * z;
         none = query.qw == 1 && query.qx == 0 && query.qy == 0 && query.qz == 0;
@@ -65,6 +70,14 @@ struct Turn {
     [[nodiscard]] V3<N> into_world(const V3<N>& v) const {
         if (none) return v;
         return scaled(row[0], v.x) + scaled(row[1], v.y) + scaled(row[2], v.z);
+    }
+
+private:
+    static double power_for(const Query& query) {
+        const double size = std::fmax(std::fmax(std::fabs(query.qw), std::fabs(query.qx)),
+                                      std::fmax(std::fabs(query.qy), std::fabs(query.qz)));
+        const int exponent = std::ilogb(size);
+        return exponent > 64 || exponent < -64 ? std::ldexp(1.0, -exponent) : 1;
     }
 };
 
