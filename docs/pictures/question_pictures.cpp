@@ -22,7 +22,6 @@
 namespace pictures {
 namespace {
 
-constexpr Lettering label{.size = 15};
 constexpr Lettering quiet_label{.size = 13.5, .fill = colour::quiet};
 constexpr Lettering title{.size = 14, .fill = colour::quiet, .anchor = Anchor::middle};
 
