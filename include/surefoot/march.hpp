@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <type_traits>
 
@@ -26,7 +25,7 @@ class Path {
 public:
     template <PathCallable Callable>
     Path(const Callable& callable) noexcept
-        : callable_(std::addressof(callable)),
+        : callable_(&callable),
           call_([](const void* target, double t) -> dvec3 { return (*static_cast<const Callable*>(target))(t); }) {}
 
     [[nodiscard]] dvec3 operator()(double t) const { return call_(callable_, t); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 
@@ -42,7 +41,8 @@ struct Bounds {
 
 /// Immutable triangles and a tree. Cheap to copy: copies share the same data.
 ///
-/// Threads: every const call may run on any number of threads at once. Memory: building allocates, queries never do.
+/// Threads: every const call may run on any number of threads at once, and so may making and destroying copies. Memory:
+/// building allocates, queries never do. A mesh that was moved from may only be destroyed or assigned to.
 /// Triangle ids are the order of the triangles in the input.
 class Mesh {
 public:
@@ -50,6 +50,11 @@ public:
     /// multiple of three, the number of surfaces does not match, or a coordinate is not finite or beyond 1e9 m; with
     /// `limit` beyond 2^31 triangles. A mesh with no triangles is fine and is never hit.
     [[nodiscard]] static Expected<Mesh> build(const MeshInput& input);
+
+    Mesh(const Mesh& other) noexcept;
+    Mesh(Mesh&& other) noexcept;
+    Mesh& operator=(Mesh other) noexcept;
+    ~Mesh();
 
     /// The first touch of `volume` along `motion`; ties in t go to the lowest triangle id.
     [[nodiscard]] std::optional<Hit> sweep(const Volume& volume, const Motion& motion,
@@ -77,8 +82,8 @@ public:
 
 private:
     struct Data;
-    explicit Mesh(std::shared_ptr<const Data> data) noexcept;
-    std::shared_ptr<const Data> data_;
+    explicit Mesh(const Data* data) noexcept;
+    const Data* data_;  // counts its owners; null once moved from
 };
 
 /// Walks `volume` along `path` through a mesh; see march.hpp. An unguarded march reports the lowest of the triangles

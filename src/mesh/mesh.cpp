@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string>
 #include <utility>
@@ -18,7 +19,10 @@ inline namespace v0 {
 
 using namespace internal;
 
+// Counted by hand rather than by shared_ptr: its header alone would be a quarter of what ours cost to compile, and its
+// type information, which the core is built without, would be missed by a caller's sanitizers.
 struct Mesh::Data {
+    mutable std::atomic<std::uint64_t> owners{1};
     std::vector<vec3> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> surfaces;
@@ -90,7 +94,22 @@ Error invalid(std::string text) {
 
 }  // namespace
 
-Mesh::Mesh(std::shared_ptr<const Data> data) noexcept : data_(std::move(data)) {}
+Mesh::Mesh(const Data* data) noexcept : data_(data) {}
+
+Mesh::Mesh(const Mesh& other) noexcept : data_(other.data_) {
+    if (data_ != nullptr) data_->owners.fetch_add(1, std::memory_order_relaxed);
+}
+
+Mesh::Mesh(Mesh&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+
+Mesh& Mesh::operator=(Mesh other) noexcept {
+    std::swap(data_, other.data_);
+    return *this;
+}
+
+Mesh::~Mesh() {
+    if (data_ != nullptr && data_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) delete data_;
+}
 
 Expected<Mesh> Mesh::build(const MeshInput& input) {
     const internal::IeeeGuard guard;
@@ -121,7 +140,7 @@ Expected<Mesh> Mesh::build(const MeshInput& input) {
         }
     }
 
-    auto data = std::make_shared<Data>();
+    auto* data = new Data;
     data->vertices.assign(input.vertices.begin(), input.vertices.end());
     data->indices.assign(input.indices.begin(), input.indices.end());
     data->surfaces.assign(input.surfaces.begin(), input.surfaces.end());
@@ -134,7 +153,7 @@ Expected<Mesh> Mesh::build(const MeshInput& input) {
     }
     data->tree = build_tree(boxes);
     if (!data->tree.nodes.empty()) data->bounds = data->tree.nodes[0].box;
-    return Mesh(std::move(data));
+    return Mesh(data);
 }
 
 std::optional<Hit> Mesh::sweep(const Volume& volume, const Motion& motion,
