@@ -136,7 +136,9 @@ void Canvas::text(Point at, std::string_view words, const Lettering& lettering) 
     }
     if (lettering.bold) body_ += " font-weight=\"600\"";
     if (lettering.italic) body_ += " font-style=\"italic\"";
-    body_ += ">" + escaped(words) + "</text>\n";
+    body_ += '>';
+    body_ += escaped(words);
+    body_ += "</text>\n";
 }
 
 std::string Canvas::svg() const {
