@@ -50,7 +50,7 @@ class Plan:
 def resolve(files, source, mark, target):
     """The project's file that an include means; None for a system header; False for one of ours that is nowhere."""
     nearby = [source.parent / target] if mark == '"' else []
-    for candidate in [*nearby, *(pathlib.PurePosixPath(base) / target for base in ("include", "src"))]:
+    for candidate in [*nearby, *(pathlib.PurePosixPath(base) / target for base in ("include", "src", "."))]:
         if normal(candidate) in files:
             return normal(candidate)
     if mark == "<" and not target.startswith("surefoot/"):
