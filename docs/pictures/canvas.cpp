@@ -17,12 +17,17 @@ std::string number(double value) {
     return out;
 }
 
-std::string attribute(std::string_view name, double value) {
-    return " " + std::string(name) + "=\"" + number(value) + "\"";
+std::string attribute(std::string_view name, std::string_view value) {
+    std::string out(1, ' ');
+    out += name;
+    out += "=\"";
+    out += value;
+    out += '"';
+    return out;
 }
 
-std::string attribute(std::string_view name, std::string_view value) {
-    return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+std::string attribute(std::string_view name, double value) {
+    return attribute(name, number(value));
 }
 
 std::string look(const Style& style) {
