@@ -160,6 +160,16 @@ Approach approach_at_start(const Volume& volume, const Motion& motion, const Tri
 }
 
 Approach approach_to_front(const Motion& motion, const Triangle& triangle) noexcept {
+    const Vec a = to_vec(triangle.a);
+    const Vec ab = to_vec(triangle.b) - a;
+    const Vec ac = to_vec(triangle.c) - a;
+    const Vec along = to_vec(motion.to) - to_vec(motion.from);
+    const double determinant = dot(cross(ab, ac), along);
+    // Each difference is good to one rounding, each product of three to five more; 16 covers the sums too. What is near
+    // the smallest numbers, where products lose digits, is left to exact arithmetic.
+    const double bound = 16 * 0x1p-53 * norm1(ab) * norm1(ac) * norm1(along);
+    if (bound > 0x1p-900 && determinant > bound) return Approach::no_closer;
+    if (bound > 0x1p-900 && determinant < -bound) return Approach::deeper;
     // Degree 3 in coordinates of at most 1107 digits.
     using Number = ExactNumber<120>;
     const ExactQuery<Number> query(motion, triangle);
