@@ -12,4 +12,7 @@ void propose_planes(const SweepQuery& query, const Box& box, Planes& planes) noe
 void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& planes) noexcept;
 void propose_planes(const SweepQuery& query, const Cone& cone, Planes& planes) noexcept;
 
+/// The planes at which a standing cylinder or cone is least deep.
+void propose_upright_standing(const SweepQuery& query, Planes& planes) noexcept;
+
 }  // namespace surefoot::internal

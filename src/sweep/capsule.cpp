@@ -8,10 +8,6 @@
 namespace surefoot::internal {
 
 void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& planes) noexcept {
-    const auto consider = [&](const RoundNormals& normals) {
-        planes.consider(normals.first);
-        planes.consider(normals.second);
-    };
     const Vec axis{0, 1, 0};
     const Vec ends[2] = {{0, -capsule.half_height, 0}, {0, capsule.half_height, 0}};
 
@@ -20,13 +16,13 @@ void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& pla
         const Vec edge = query.edge_direction(i);
         planes.consider_both(cross(scaled_to_one(edge), axis));
         for (const Vec& end : ends) {
-            consider(ball_against_line(query.edge_start(i) + end, edge, query.along, capsule.radius));
+            planes.consider_pass(ball_against_line(query.edge_start(i) + end, edge, query.along, capsule.radius));
         }
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (const Vec& corner : query.corners) {
-        consider(ball_against_line(corner, axis, query.along, capsule.radius));
-        for (const Vec& end : ends) consider(ball_against_point(corner + end, query.along, capsule.radius));
+        planes.consider_pass(ball_against_line(corner, axis, query.along, capsule.radius));
+        for (const Vec& end : ends) planes.consider_pass(ball_against_point(corner + end, query.along, capsule.radius));
     }
 }
 

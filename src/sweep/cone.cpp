@@ -100,9 +100,7 @@ void propose_planes(const SweepQuery& query, const Cone& cone, Planes& planes) n
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
         const Vec edge = query.edge_direction(i);
         consider_perpendicular_sides(cone, edge, planes);
-        const RoundNormals rim = rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius);
-        planes.consider(rim.first);
-        planes.consider(rim.second);
+        planes.consider_pass(rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius));
     }
     if (has_fault(Fault::vertices_dropped)) return;
     consider_perpendicular_sides(cone, query.along, planes);

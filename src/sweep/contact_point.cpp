@@ -60,21 +60,18 @@ Vec contact_point(const SweepQuery& query, const Vec& moved, const Vec& normal) 
     };
     const Vec local =
         std::visit(Overloaded{
-                       [&](const Sphere& sphere) { return nearest_on_triangle(-normal * sphere.radius, corners); },
-                       [&](const Ellipsoid& ellipsoid) {
-                           const Vec radii = to_vec(ellipsoid.radii);
-                           const Vec squashed = multiply_each(normal, radii);
-                           return nearest_on_triangle(-multiply_each(squashed, radii) / length(squashed), corners);
-                       },
-                       [&](const Capsule& capsule) {
-                           const Vec up{0, capsule.half_height, 0};
-                           const Vec shift = -normal * capsule.radius;
-                           if (capsule.half_height * absolute(normal.y) <= hair) {
-                               return nearest_on_triangle_to_segment(shift - up, shift + up, corners);
-                           }
-                           return nearest_on_triangle(shift - signed_like(1, normal.y) * up, corners);
-                       },
-                       [&](const Box& box) {
+                       [&](const Sphere&) { return nearest_on_triangle({}, corners); },
+            [&](const Ellipsoid& ellipsoid) {
+                const Vec radii = to_vec(ellipsoid.radii);
+                const Vec squashed[3] = {divide_each(corners[0], radii), divide_each(corners[1], radii),
+                                         divide_each(corners[2], radii)};
+                return multiply_each(nearest_on_triangle({}, squashed), radii);
+            },
+            [&](const Capsule& capsule) {
+                const Vec up{0, capsule.half_height, 0};
+                return nearest_on_triangle_to_segment(-up, up, corners);
+            },
+            [&](const Box& box) {
                            const Vec half = to_vec(box.half_extents);
                            const Vec support{-signed_like(half.x, normal.x), -signed_like(half.y, normal.y),
                                              -signed_like(half.z, normal.z)};

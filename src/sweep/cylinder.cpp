@@ -8,10 +8,6 @@
 namespace surefoot::internal {
 
 void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& planes) noexcept {
-    const auto consider = [&](const RoundNormals& normals) {
-        planes.consider(normals.first);
-        planes.consider(normals.second);
-    };
     const Vec axis{0, 1, 0};
     const Vec rim_centres[2] = {{0, -cylinder.half_height, 0}, {0, cylinder.half_height, 0}};
 
@@ -23,12 +19,12 @@ void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& p
         const Vec edge = query.edge_direction(i);
         planes.consider_both(cross(scaled_to_one(edge), axis));
         for (const Vec& centre : rim_centres) {
-            consider(rim_against_line(query.edge_start(i) - centre, edge, query.along, cylinder.radius));
+            planes.consider_pass(rim_against_line(query.edge_start(i) - centre, edge, query.along, cylinder.radius));
         }
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (const Vec& corner : query.corners) {
-        consider(ball_against_line(corner, axis, query.along, cylinder.radius));
+        planes.consider_pass(ball_against_line(corner, axis, query.along, cylinder.radius));
     }
 }
 

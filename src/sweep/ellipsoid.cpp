@@ -17,8 +17,9 @@ namespace {
 template <typename Squash>
 void propose_round_planes(const SweepQuery& query, double radius, const Squash& squash, Planes& planes) noexcept {
     const auto consider = [&](const RoundNormals& normals) {
-        planes.consider(squash(normals.first));
-        planes.consider(squash(normals.second));
+        planes.consider(squash(normals.entry));
+        planes.consider(squash(normals.exit));
+        planes.consider(squash(normals.passing));
     };
     const Vec along = squash(query.along);
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());

@@ -84,15 +84,19 @@ Plane Planes::steadiest_at(double t) const noexcept {
 }
 
 Plane Planes::shallowest() const noexcept {
-    Plane best = last_;
-    bool found = false;
+    // An ellipsoid's depth counts in squashed space, where a plane of the world with normal n is |radii n| times as far.
+    const bool squashed = std::holds_alternative<Ellipsoid>(query_.shape);
+    const auto depth_of = [&](const Plane& plane) {
+        return squashed ? -plane.gap / reach_against(query_.shape, plane.normal) : -plane.gap;
+    };
+    const Plane* best = nullptr;
     for (const Plane& plane : all()) {
-        if (plane.approach < 0 && (!found || plane.gap > best.gap)) {
-            best = plane;
-            found = true;
+        if (best == nullptr || (plane.approach < 0) > (best->approach < 0) ||
+            ((plane.approach < 0) == (best->approach < 0) && depth_of(plane) < depth_of(*best))) {
+            best = &plane;
         }
     }
-    return best;
+    return best == nullptr ? Plane{} : *best;
 }
 
 unsigned Planes::touched_corners(const Vec& normal) const noexcept {

@@ -18,6 +18,7 @@
 #include <surefoot/trace.hpp>
 
 #include "sweep/query.hpp"
+#include "sweep/round_features.hpp"
 
 namespace surefoot::internal {
 
@@ -34,6 +35,13 @@ public:
 
     /// Judges the plane with this normal, of any length; zero is no plane and is passed over.
     void consider(const Vec& normal) noexcept;
+
+    /// Judges the planes that a passing round feature proposes.
+    void consider_pass(const RoundNormals& normals) noexcept {
+        consider(normals.entry);
+        consider(normals.exit);
+        consider(normals.passing);
+    }
 
     /// Judges the plane and its opposite.
     void consider_both(const Vec& normal) noexcept {
@@ -58,7 +66,7 @@ public:
     /// edge are met together, the face's normal is the steadier answer.
     [[nodiscard]] Plane steadiest_at(double t) const noexcept;
 
-    /// Of the planes that the motion closes on, the one with the least depth at `from`.
+    /// Of the planes that the motion closes on, the one with the least depth at `from`. Requires: a plane was considered.
     [[nodiscard]] Plane shallowest() const noexcept;
 
     /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.
@@ -69,7 +77,7 @@ public:
 private:
     void record(const Plane& plane, Verdict verdict, double t) noexcept;
 
-    static constexpr int most_planes = 96;
+    static constexpr int most_planes = 128;
 
     const SweepQuery& query_;
     Trace* trace_;

@@ -1,7 +1,6 @@
 #include "sweep/rim.hpp"
 
 #include "exact/products.hpp"
-#include "fault.hpp"
 
 namespace surefoot::internal {
 
@@ -21,24 +20,17 @@ RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const
     const Vec travel{difference_of_products(motion.x, edge.y, motion.y, edge.x), 0,
                      difference_of_products(motion.z, edge.y, motion.y, edge.z)};
     const Vec onward = unit(travel) * climb_sign;
-    const double inflated = radius + inflation_share * (radius + norm1(point));
     if (onward == Vec{}) {
         // Along the edge: the crossing stands still.
         const double share = point.y / edge.y;
-        return {raised({edge.x * share - point.x, 0, edge.z * share - point.z}), {}};
+        return {{}, {}, raised({edge.x * share - point.x, 0, edge.z * share - point.z})};
     }
     const Vec across{-onward.z, 0, onward.x};
     // across . crossing, with across . edge_h rewritten by G so that nothing is divided by the climb.
     const double turn = difference_of_products(edge.z, motion.x, edge.x, motion.z) / length(travel) * climb_sign;
     const double offset = -(dot(point, across) - point.y * turn);
-    const double distance = absolute(offset);
-    const Vec closest = across * offset;
-    if (distance >= inflated) return {raised(closest), {}};
-    const double half_chord = std::sqrt((inflated - distance) * (inflated + distance));
-    const Vec entry = raised(closest - onward * half_chord);
-    const Vec exit = raised(closest + onward * half_chord);
-    if (has_fault(Fault::larger_root)) return {exit, {}};
-    return {entry, exit};
+    const RoundNormals flat = normals_of_pass(across * offset, onward, radius, norm1(point));
+    return {raised(flat.entry), raised(flat.exit), raised(flat.passing)};
 }
 
 }  // namespace surefoot::internal

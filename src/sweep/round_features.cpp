@@ -5,26 +5,25 @@
 
 namespace surefoot::internal {
 
-namespace {
-
-RoundNormals normals_of_pass(const Vec& closest, double distance, const Vec& onward, double radius) noexcept {
-    if (distance >= radius) return {closest, {}};
-    const double half_chord = std::sqrt((radius - distance) * (radius + distance));
-    if (has_fault(Fault::larger_root)) return {closest + onward * half_chord, {}};
-    return {closest - onward * half_chord, closest + onward * half_chord};
+RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double extent) noexcept {
+    const double hair = inflation_share * (radius + extent);
+    const double inflated = radius + hair;
+    const double distance = length(closest);
+    RoundNormals normals;
+    if (distance >= radius - hair) normals.passing = closest;
+    if (distance >= inflated) return normals;
+    const double half_chord = std::sqrt((inflated - distance) * (inflated + distance));
+    normals.entry = closest - onward * half_chord;
+    normals.exit = closest + onward * half_chord;
+    if (has_fault(Fault::larger_root)) normals.entry = normals.exit;
+    return normals;
 }
-
-double inflated(double radius, const Vec& feature) noexcept {
-    return radius + inflation_share * (radius + norm1(feature));
-}
-
-}  // namespace
 
 RoundNormals ball_against_point(const Vec& point, const Vec& along, double radius) noexcept {
     const Vec onward = unit(along);
     Vec closest = onward * dot(point, onward) - point;
     closest = closest - onward * dot(closest, onward);
-    return normals_of_pass(closest, length(closest), onward, inflated(radius, point));
+    return normals_of_pass(closest, onward, radius, norm1(point));
 }
 
 RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec& along, double radius) noexcept {
@@ -35,11 +34,10 @@ RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec
         // Along the line: the distance never changes.
         Vec closest = line * dot(point, line) - point;
         closest = closest - line * dot(closest, line);
-        return {closest, {}};
+        return {.entry = {}, .exit = {}, .passing = closest};
     }
     const Vec onward = unit(cross(line, across));
-    const double offset = -dot(point, across);
-    return normals_of_pass(across * offset, absolute(offset), onward, inflated(radius, point));
+    return normals_of_pass(across * -dot(point, across), onward, radius, norm1(point));
 }
 
 }  // namespace surefoot::internal

@@ -16,6 +16,16 @@ void propose(const SweepQuery& query, Planes& planes) noexcept {
     std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
 }
 
+void propose_standing(const SweepQuery& query, Planes& planes) noexcept {
+    if (std::holds_alternative<Cylinder>(query.shape) || std::holds_alternative<Cone>(query.shape)) {
+        propose_upright_standing(query, planes);
+        return;
+    }
+    SweepQuery standing = query;
+    standing.along = {};
+    propose(standing, planes);
+}
+
 Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Plane& plane,
              const unsigned corners, double t) noexcept {
     Hit hit;
@@ -38,7 +48,11 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
             return hit;
         }
     }
-    const Vec local = contact_point(query, query.along * t, plane.normal);
+    // A shape that overlaps is first moved out along the normal: the point is where it would just touch. For round shapes
+    // that is the same point as before, and an ellipsoid's way out is not along the normal.
+    const bool is_round = std::holds_alternative<Sphere>(query.shape) || std::holds_alternative<Ellipsoid>(query.shape);
+    const Vec out = is_round ? Vec{} : plane.normal * -(plane.gap + t * plane.approach);
+    const Vec local = contact_point(query, query.along * t + out, plane.normal);
     hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(local));
     return hit;
 }
@@ -90,9 +104,7 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     propose(query, planes);
     if (!planes.motion_is_free() && !planes.starts_apart()) {
         // In touch at the start, by these planes. Ask those of the standing shape too.
-        SweepQuery standing = query;
-        standing.along = {};
-        propose(standing, planes);
+        propose_standing(query, planes);
     }
     if (planes.motion_is_free()) return std::nullopt;
     if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);

@@ -1,7 +1,7 @@
 #include "sweep/upright_start.hpp"
 
+#include "sweep/candidates.hpp"
 #include "sweep/exact_query.hpp"
-#include "sweep/query.hpp"
 
 namespace surefoot::internal {
 
@@ -16,6 +16,15 @@ UprightShape<Scalar> upright_shape(const Shape& shape, const Scalar& scale) noex
     return {Scalar(cylinder.radius) * scale, Scalar(cylinder.half_height) * scale, false};
 }
 
+UprightStart<double> start_in_doubles(const SweepQuery& query, bool skip_rims) noexcept {
+    ExactVec<double> corners[3];
+    for (int i = 0; i < 3; ++i) corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
+    UprightStart<double> start(corners, {query.along.x, query.along.y, query.along.z},
+                               upright_shape<double>(query.shape, 1.0));
+    start.propose(skip_rims);
+    return start;
+}
+
 // In doubles: plane i counts as one of the nearest when no other is nearer by more than `hair`.
 struct Outlook {
     bool decided = false;
@@ -25,19 +34,11 @@ struct Outlook {
 
 Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {
     const SweepQuery query(volume, motion, triangle, 0);
-    ExactVec<double> corners[3];
     double hair = 64 * query.shape_slack;
-    for (int i = 0; i < 3; ++i) {
-        corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
-        hair += 64 * query.corner_slack[i];
-    }
-    const ExactVec<double> along{query.along.x, query.along.y, query.along.z};
+    for (const double slack : query.corner_slack) hair += 64 * slack;
     const double slope_hair = 0x1p-40 * norm1(query.along);
-
-    UprightStart<double> start(corners, along, upright_shape<double>(query.shape, 1.0));
-    start.propose(true);
-    UprightStart<double> with_rims(corners, along, upright_shape<double>(query.shape, 1.0));
-    with_rims.propose(false);
+    const UprightStart<double> with_rims = start_in_doubles(query, false);
+    const int first_rim = start_in_doubles(query, true).count();
     const double nearest = with_rims.largest_gap();
 
     Outlook outlook;
@@ -47,7 +48,7 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     for (int i = 0; i < with_rims.count(); ++i) {
         const auto& plane = with_rims.plane(i);
         if (plane.gap < nearest - hair) continue;
-        some_rim = some_rim || i >= start.count();
+        some_rim = some_rim || i >= first_rim;
         all_close = all_close && plane.approach < -slope_hair;
         all_open = all_open && plane.approach > slope_hair;
     }
@@ -96,6 +97,14 @@ Approach decide_in_reals(const Volume& volume, const Motion& motion, const Trian
 }
 
 }  // namespace
+
+void propose_upright_standing(const SweepQuery& query, Planes& planes) noexcept {
+    const UprightStart<double> start = start_in_doubles(query, false);
+    for (int i = 0; i < start.count(); ++i) {
+        const auto& normal = start.plane(i).normal;
+        planes.consider({normal.x, normal.y, normal.z});
+    }
+}
 
 Approach upright_approach_at_start(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {
     const Outlook outlook = look_in_doubles(volume, motion, triangle);

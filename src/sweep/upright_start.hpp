@@ -168,22 +168,31 @@ private:
             add_normal(share, -other);
             return;
         }
-        // a2 u^2 / (a2 + s)^2 + c2 v^2 / (c2 + s)^2 = 1. At the start one term is 1 and the other at most 1; from there
-        // Newton's method rises to the root and doubles its digits at each step.
+        // The points of the ellipse whose normal runs through the edge are those with
+        //     a2 u^2 / (a2 + s)^2 + c2 v^2 / (c2 + s)^2 = 1.
+        // The largest root, right of -c2, is the nearest point. The next, between -a2 and -c2, is the nearest on the other
+        // side of the long axis; it counts where the triangle keeps the shape from leaving to the near side. Each start has
+        // one term equal to 1, which leaves the sum above 1 and the root on the side to which Newton's method moves.
         const Scalar abs_u = sign_of(u) < 0 ? -u : u;
         const Scalar abs_v = sign_of(v) < 0 ? -v : v;
-        Scalar s = shape_.radius * abs_u - a2;
-        const Scalar other_start = square_root(c2) * abs_v - c2;
-        if (other_start > s) s = other_start;
-        for (int step = 0; step < newton_steps; ++step) {
-            const Scalar p = u / (a2 + s);
-            const Scalar q = v / (c2 + s);
-            const Scalar value = a2 * p * p + c2 * q * q - Scalar(1.0);
-            const Scalar falling = Scalar(2.0) * (a2 * p * p / (a2 + s) + c2 * q * q / (c2 + s));
-            if (sign_of(falling) == 0) break;
-            s = s + value / falling;
-        }
-        add_normal(u / (a2 + s), v / (c2 + s));
+        const Scalar c_v = square_root(c2) * abs_v;
+        Scalar near = shape_.radius * abs_u - a2;
+        if (c_v - c2 > near) near = c_v - c2;
+        const auto add_root = [&](Scalar s, bool is_far) {
+            for (int step = 0; step < newton_steps; ++step) {
+                const Scalar p = u / (a2 + s);
+                const Scalar q = v / (c2 + s);
+                const Scalar value = a2 * p * p + c2 * q * q - Scalar(1.0);
+                const Scalar falling = Scalar(2.0) * (a2 * p * p / (a2 + s) + c2 * q * q / (c2 + s));
+                if (is_far && sign_of(falling) >= 0) return;
+                if (sign_of(falling) == 0) break;
+                s = s + value / falling;
+                if (is_far && sign_of(a2 + s) <= 0) return;
+            }
+            add_normal(u / (a2 + s), v / (c2 + s));
+        };
+        add_root(near, false);
+        if (a2 - c2 > c_v) add_root(-c2 - c_v, true);
     }
 
     static constexpr int most = 48;
