@@ -13,7 +13,6 @@
 #include "polyline.hpp"
 #include "query.hpp"
 #include "text.hpp"
-#include "walk.hpp"
 
 namespace surefoot::tools {
 namespace {
@@ -79,7 +78,7 @@ ExitCode run_march(const MarchOptionsGiven& given) {
     MarchOptions options{.steps = given.steps, .guarded = !given.unguarded, .one_sided = given.volume.one_sided};
     std::optional<MarchHit> met;
     std::string what;
-    const auto walk = [&](const Level& level, const Path& path) { met = march(level.mesh, volume, path, options); };
+    const auto walk = [&](const Level& level, const Path& path) { met = march(volume, path, level.mesh, options); };
     if (arc) {
         const JumpArc jump{.from = position_of("--from", given.from),
                            .velocity = vector_of("--velocity", given.velocity),

@@ -55,8 +55,12 @@ std::string_view in_words(Feature feature) {
 }
 
 std::string grouped(std::size_t count) {
-    std::string text = std::to_string(count);
-    for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, " ");
+    const std::string digits = std::to_string(count);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+        text += digits[i];
+    }
     return text;
 }
 

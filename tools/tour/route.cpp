@@ -1,0 +1,250 @@
+#include "tour/route.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace surefoot::tools {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double walkable = 0.7;  // the cosine of 45.6 degrees
+const dvec3 up(0, 1, 0);
+
+/// Bodily facts about the walker, all from its size, so that a route suits a mouse as well as a giant.
+struct Gait {
+    double skin;    ///< kept from everything met
+    double stride;  ///< the shortest step ahead
+    double climb;   ///< how high an obstacle is stepped over
+    double drop;    ///< how far down a floor is looked for
+};
+
+Gait gait_of(const Walker& walker) {
+    const double height = 2 * walker.half_size.y;
+    return {.skin = 1e-3 * height, .stride = 1.1 * height, .climb = 0.4 * height, .drop = 3 * height};
+}
+
+dvec3 heading(double angle) {
+    return {std::cos(angle), 0, std::sin(angle)};
+}
+
+/// The state of a walk under way.
+class Walk {
+public:
+    Walk(const Mesh& mesh, const Walker& walker, const dvec3& start)
+        : mesh_(mesh), walker_(walker), gait_(gait_of(walker)), position_(start) {}
+
+    [[nodiscard]] Route run(std::span<const dvec3> waypoints) {
+        settle();
+        std::size_t next = 0;
+        int stuck = 0;
+        for (std::size_t turn = 0; route_.legs.size() < walker_.legs && stuck < 4; ++turn) {
+            while (next < waypoints.size() && flat_distance(position_, waypoints[next]) < gait_.stride) ++next;
+            if (!waypoints.empty() && next == waypoints.size()) break;
+            const dvec3 before = position_;
+            const double length = gait_.stride * static_cast<double>(1 + turn * 7 % 3);
+            if (next < waypoints.size() && stuck == 0) {
+                const dvec3 way = waypoints[next] - position_;
+                stride(glm::normalize(dvec3(way.x, 0, way.z)),
+                       std::min(length, flat_distance(position_, waypoints[next])));
+            } else {
+                stride(freest_heading(), length);
+            }
+            stuck = flat_distance(before, position_) < 0.2 * gait_.stride ? stuck + 1 : 0;
+        }
+        return std::move(route_);
+    }
+
+private:
+    static double flat_distance(const dvec3& a, const dvec3& b) { return std::hypot(a.x - b.x, a.z - b.z); }
+
+    std::optional<Hit> sweep(const Motion& motion) const {
+        return mesh_.sweep(walker_.volume, motion, {.one_sided = walker_.one_sided});
+    }
+
+    /// One leg: moves as far as it is free, and stays a skin away from what was met.
+    std::optional<Hit> go(const dvec3& to, Step step) {
+        const Motion motion{position_, to};
+        const std::optional<Hit> hit = sweep(motion);
+        route_.legs.push_back({.motion = motion, .hit = hit, .step = step});
+        if (!hit) {
+            position_ = to;
+            return hit;
+        }
+        const double length = glm::length(to - position_);
+        const double back = length > 0 ? gait_.skin / length : 0;
+        position_ += std::max(0.0, hit->t - back) * (to - position_);
+        return hit;
+    }
+
+    /// Down to the floor. False if there is none: then the walker is put back where it came from.
+    bool settle() {
+        const dvec3 before = position_;
+        const std::optional<Hit> floor = go(position_ - up * gait_.drop, Step::drop);
+        if (floor) return true;
+        position_ = before;
+        return false;
+    }
+
+    void stride(const dvec3& direction, double length) {
+        const dvec3 start = position_;
+        visited_.push_back(start);
+        const std::optional<Hit> met = go(position_ + direction * length, Step::walk);
+        if (met && met->point.y < position_.y - 0.2 * walker_.half_size.y && glm::dot(met->normal, direction) < 0) {
+            const double left = (1 - met->t) * length;
+            go(position_ + up * gait_.climb, Step::climb);
+            go(position_ + direction * std::min(left, gait_.stride), Step::walk);
+        }
+        if (!settle()) {
+            // Nothing to stand on out there: a real player would fall; this one goes back and looks elsewhere.
+            position_ = start;
+            avoid_ = std::atan2(direction.z, direction.x);
+        }
+    }
+
+    /// The way that leads farthest without meeting anything, and away from where the walk has been.
+    dvec3 freest_heading() {
+        constexpr int ways = 16;
+        double best = -1e300;
+        double chosen = 0;
+        for (int i = 0; i < ways; ++i) {
+            const double angle = 2 * pi * (i + 0.37) / ways;
+            const double reach = 4 * gait_.stride;
+            const dvec3 to = position_ + heading(angle) * reach;
+            ++route_.probes;
+            const std::optional<Hit> hit = sweep({position_ + up * gait_.skin, to});
+            // Half of the worth is reach: a way that ends at a wall soon still earns a look if it leads to new places.
+            const double t = hit ? hit->t : 1.0;
+            double worth = t * reach;
+            const dvec3 end = position_ + heading(angle) * (std::min(t, 0.5) * reach);
+            for (const dvec3& seen : visited_)
+                worth -= gait_.stride * std::exp(-glm::dot(end - seen, end - seen) / (4 * gait_.stride * gait_.stride));
+            if (!stands_at(end)) worth -= 2 * reach;
+            if (avoid_ && std::cos(angle - *avoid_) > 0.9) worth -= 2 * reach;
+            if (worth > best) {
+                best = worth;
+                chosen = angle;
+            }
+        }
+        avoid_.reset();
+        return heading(chosen);
+    }
+
+    bool stands_at(const dvec3& place) {
+        ++route_.probes;
+        const std::optional<Hit> floor = mesh_.ray({place, place - up * gait_.drop}, {.one_sided = walker_.one_sided});
+        return floor && floor->normal.y > walkable;
+    }
+
+    const Mesh& mesh_;
+    const Walker& walker_;
+    Gait gait_;
+    dvec3 position_;
+    std::optional<double> avoid_;
+    std::vector<dvec3> visited_;
+    Route route_;
+};
+
+/// How much there is to see: every kind of feature counts, the rarer the more, and so does ground covered.
+double worth(const Route& route, const Walker& walker) {
+    const auto root = [&](Feature feature) { return std::sqrt(static_cast<double>(route.contacts(feature))); };
+    dvec3 low(1e300);
+    dvec3 high(-1e300);
+    double travelled = 0;
+    double walls = 0;
+    for (const Leg& leg : route.legs) {
+        const dvec3 end = leg.motion.from + (leg.hit ? leg.hit->t : 1.0) * (leg.motion.to - leg.motion.from);
+        low = glm::min(low, end);
+        high = glm::max(high, end);
+        if (leg.step == Step::walk) travelled += glm::length(end - leg.motion.from);
+        walls += leg.hit && std::abs(leg.hit->normal.y) < 0.5;
+    }
+    const double height = 2 * walker.half_size.y;
+    const dvec3 size = high - low;
+    return root(Feature::face) + 2 * root(Feature::edge) + 3 * root(Feature::vertex) + std::sqrt(walls) +
+           0.25 * travelled / height + 0.25 * std::min(size.x, size.z) / height + size.y / height;
+}
+
+}  // namespace
+
+std::size_t Route::contacts(Feature feature) const {
+    return static_cast<std::size_t>(std::count_if(
+        legs.begin(), legs.end(), [&](const Leg& leg) { return leg.hit && leg.hit->feature == feature; }));
+}
+
+std::vector<dvec3> standing_places(const Mesh& mesh, const Walker& walker) {
+    constexpr int cells = 40;
+    constexpr int floors = 8;
+    const Bounds bounds = mesh.bounds();
+    const dvec3 size = bounds.max - bounds.min;
+    const Gait gait = gait_of(walker);
+    const MeshQueryOptions options{.one_sided = walker.one_sided};
+    std::vector<dvec3> places;
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k) {
+            dvec3 from(bounds.min.x + size.x * (i + 0.5) / cells, bounds.max.y + 1,
+                       bounds.min.z + size.z * (k + 0.5) / cells);
+            const double bottom = bounds.min.y - 1;
+            for (int floor = 0; floor < floors && from.y > bottom; ++floor) {
+                const std::optional<Hit> hit = mesh.ray({from, {from.x, bottom, from.z}}, options);
+                if (!hit) break;
+                from.y = hit->point.y - gait.skin;
+                if (hit->normal.y < walkable) continue;
+                // A slope touches the side of the walker before its foot: stand a little higher there.
+                const dvec3 place = hit->point + up * (walker.half_size.y / hit->normal.y + 2 * gait.skin);
+                if (mesh.overlap(walker.volume, place, {}, options) == 0) places.push_back(place);
+            }
+        }
+    return places;
+}
+
+Route walk_from(const Mesh& mesh, const Walker& walker, const dvec3& start, std::span<const dvec3> waypoints) {
+    return Walk(mesh, walker, start).run(waypoints);
+}
+
+Route best_route(const Mesh& mesh, const Walker& walker, std::span<const dvec3> places,
+                 std::span<const dvec3> waypoints) {
+    Route best;
+    double most = -1;
+    constexpr std::size_t most_tries = 400;
+    const std::size_t stride = places.size() / most_tries + 1;
+    for (std::size_t i = 0; i < places.size(); i += stride) {
+        Route route = walk_from(mesh, walker, places[i], waypoints);
+        const double value = worth(route, walker);
+        if (value <= most) continue;
+        most = value;
+        best = std::move(route);
+    }
+    return best;
+}
+
+void measure(const Mesh& mesh, const Walker& walker, Route& route) {
+    using Clock = std::chrono::steady_clock;
+    for (Leg& leg : route.legs) {
+        std::array<double, 41> times{};
+        for (double& time : times) {
+            const Clock::time_point start = Clock::now();
+            const std::optional<Hit> again = mesh.sweep(walker.volume, leg.motion, {.one_sided = walker.one_sided});
+            time = std::chrono::duration<double>(Clock::now() - start).count();
+            if (again.has_value() != leg.hit.has_value()) leg.hit = again;
+        }
+        std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+        leg.seconds = times[times.size() / 2];
+    }
+}
+
+std::string_view word(Step step) {
+    switch (step) {
+        case Step::walk:
+            return "walk";
+        case Step::drop:
+            return "drop";
+        case Step::climb:
+            break;
+    }
+    return "climb";
+}
+
+}  // namespace surefoot::tools
