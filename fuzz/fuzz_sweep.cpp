@@ -1,4 +1,4 @@
-// Any bytes, as the doubles of a sweep, a ray, an overlap and a march against one triangle.
+// Any bytes, as the doubles of a sweep, a ray, an overlap and a march against one triangle, and of a pair of shapes.
 #include <array>
 
 #include "bytes.hpp"
@@ -60,6 +60,26 @@ void check_march(const surefoot::Volume& volume, const surefoot::Motion& motion,
     require(is_finite(met->position) || met->hit.status == surefoot::HitStatus::invalid, "a position is a number");
 }
 
+void check_pair(const surefoot::Volume& a, const surefoot::Motion& motion_a, const surefoot::Volume& b,
+                const surefoot::Motion& motion_b) {
+    const bool valid =
+        surefoot::is_valid(a) && surefoot::is_valid(b) && is_within_limits(motion_a) && is_within_limits(motion_b);
+    const auto hit = surefoot::pair_sweep(a, motion_a, b, motion_b);
+    require(hit || valid, "data outside the limits are no free pass");
+    if (hit) {
+        require(hit->t >= 0 && hit->t <= 1, "t is within [0, 1]");
+        require(is_finite(hit->point) && is_finite(hit->normal), "no NaN and no infinity in an answer");
+        require((hit->status != surefoot::HitStatus::invalid) == valid, "the status tells whether the data were valid");
+        require(hit->status != surefoot::HitStatus::ok || is_about_unit(hit->normal), "a normal has unit length");
+    }
+    const auto found = surefoot::pair_overlap(a, motion_a.from, b, motion_b.from);
+    if (!found) return;
+    require(is_finite(found->point) && is_finite(found->normal) && std::isfinite(found->depth) && found->depth >= 0,
+            "no NaN and no infinity in an answer");
+    const auto swapped = surefoot::pair_overlap(b, motion_b.from, a, motion_a.from);
+    require(swapped && swapped->depth == found->depth, "swapping the two gives the same depth");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -74,5 +94,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_ray(motion, triangle, one_sided);
     check_overlap(volume, motion.from, triangle, one_sided);
     check_march(volume, motion, triangle, one_sided);
+    check_pair(volume, motion, bytes.volume(raw), {triangle.a, triangle.b});
     return 0;
 }

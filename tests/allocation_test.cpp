@@ -76,7 +76,7 @@ TEST(Allocation, building_a_mesh_allocates_and_asking_it_does_not) {
     EXPECT_GT(hits, 100u);
 }
 
-TEST(Allocation, no_query_against_one_triangle_allocates) {
+TEST(Allocation, no_query_against_one_triangle_or_shape_allocates) {
     golden::Queries queries(2);
     const std::size_t before = allocations;
     std::size_t hits = 0;
@@ -90,6 +90,9 @@ TEST(Allocation, no_query_against_one_triangle_allocates) {
         hits += surefoot::ray(motion, triangle).has_value();
         hits += surefoot::overlap(volume, motion.from, triangle).has_value();
         hits += surefoot::march(volume, arc, triangle, {.steps = 4}).has_value();
+        const surefoot::Volume other = queries.volume(static_cast<std::size_t>(i) / 6 % 6);
+        hits += surefoot::pair_sweep(volume, motion, other, triangle.a).has_value();
+        hits += surefoot::pair_overlap(volume, motion.from, other, triangle.a).has_value();
     }
     EXPECT_EQ(allocations, before);
     EXPECT_GT(hits, 500u);

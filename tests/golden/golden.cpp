@@ -47,6 +47,13 @@ public:
                      << std::uint64_t{found.surface} << std::uint64_t{found.body}
                      << static_cast<std::uint64_t>(found.feature) << static_cast<std::uint64_t>(found.status);
     }
+    Hash& operator<<(const surefoot::PairHit& hit) {
+        return *this << hit.t << hit.point << hit.normal << static_cast<std::uint64_t>(hit.status)
+                     << static_cast<std::uint64_t>(hit.started_inside);
+    }
+    Hash& operator<<(const surefoot::PairOverlap& found) {
+        return *this << found.point << found.normal << found.depth << static_cast<std::uint64_t>(found.status);
+    }
     Hash& operator<<(const surefoot::MarchHit& met) {
         return *this << met.hit << met.position << std::uint64_t{met.step};
     }
@@ -156,6 +163,24 @@ void march(Results& results) {
     record(results, "march", hash);
 }
 
+// All 36 pairs of shapes in turn.
+void pair(Results& results) {
+    Queries queries(450);
+    Hash swept;
+    Hash overlapped;
+    for (std::size_t i = 0; i < 36 * 50; ++i) {
+        queries.next_family();
+        const surefoot::Volume a = queries.volume(i % 6);
+        const surefoot::Volume b = queries.volume(i / 6 % 6);
+        const surefoot::Motion motion_a = queries.motion();
+        const surefoot::Motion motion_b = queries.motion();
+        swept << surefoot::pair_sweep(a, motion_a, b, motion_b) << surefoot::pair_sweep(a, motion_a, b, motion_b.from);
+        overlapped << surefoot::pair_overlap(a, motion_a.from, b, motion_b.from);
+    }
+    record(results, "pair.sweep", swept);
+    record(results, "pair.overlap", overlapped);
+}
+
 void mesh(Results& results) {
     Queries queries(500);
     std::vector<surefoot::vec3> vertices;
@@ -192,6 +217,7 @@ Results ask_everything() {
     ray(results);
     overlap_each_shape(results);
     march(results);
+    pair(results);
     mesh(results);
     return results;
 }
