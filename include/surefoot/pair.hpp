@@ -9,8 +9,8 @@
 ///    bounded number of steps.
 ///
 /// All of them are judged by planes between the two shapes, so none of them can be late by more than rounding. Both are
-/// called touching while the gap is at most `pair_tolerance` of their two sizes together (or 2^-44 of their distance or
-/// motion, if that is more: a grain of dust that crosses a country), and a touch is reported no earlier than that.
+/// called touching while the gap is at most the tolerance below (or 2^-44 of their distance or motion, if that is more:
+/// a grain of dust that crosses a country), and a touch is reported no earlier than that.
 #pragma once
 
 #include <optional>
@@ -23,9 +23,13 @@
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
-/// How close two shapes are when a pair query calls them touching [share of their sizes together, the size being the
-/// greatest distance from the reference point].
+/// How close two shapes are when a closed form calls them touching [share of their sizes together, the size of a shape
+/// being the greatest distance of its points from its reference point].
 inline constexpr double pair_tolerance = 1e-9;
+
+/// The same where a search answers [share of their sizes together]. The distance of two shapes found by their farthest
+/// points has half the digits of a double.
+inline constexpr double pair_search_tolerance = 1e-7;
 
 /// How two shapes overlap. Moving the first by `normal * depth`, or the second by the opposite, parts them, just
 /// touching.

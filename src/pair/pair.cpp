@@ -74,21 +74,22 @@ struct Relative {
 
 Relative relative(const Volume& a, const Vec& x, const Volume& b, const Vec& motion) noexcept {
     const bool swapped = is_swapped(a, b, x, motion);
-    Relative r{.pair = {Placed(swapped ? b : a), Placed(swapped ? a : b)},
-               .x = swapped ? -x : x,
-               .motion = swapped ? -motion : motion,
-               .swapped = swapped};
-    const double rounding = rounding_share * larger(largest(x), largest(motion));
-    r.hair = larger(pair_tolerance * (r.pair.a.size() + r.pair.b.size()), rounding);
-    return r;
+    return {.pair = {Placed(swapped ? b : a), Placed(swapped ? a : b)},
+            .x = swapped ? -x : x,
+            .motion = swapped ? -motion : motion,
+            .swapped = swapped};
 }
 
-// The family that knows these two best.
+// The family that knows these two best. Its hair goes into `r`.
 template <typename Use>
-auto with_family(const Relative& r, const Use& use) noexcept {
+auto with_family(Relative& r, const Use& use) noexcept {
+    const double sizes = r.pair.a.size() + r.pair.b.size();
+    const double rounding = rounding_share * larger(largest(r.x), largest(r.motion));
+    r.hair = larger(pair_tolerance * sizes, rounding);
     if (const auto upright = UprightPair::of(r.pair)) return use(*upright);
     if (const auto boxes = BoxPair::of(r.pair)) return use(*boxes);
     if (const auto capsules = CapsulePair::of(r.pair)) return use(*capsules);
+    r.hair = larger(pair_search_tolerance * sizes, rounding);
     return use(GeneralPair(r.pair, r.hair));
 }
 
@@ -147,7 +148,7 @@ std::optional<PairOverlap> pair_overlap(const Volume& a, const dvec3& position_a
         result.status = HitStatus::invalid;
         return result;
     }
-    const Relative r = relative(a, to_vec(position_a) - to_vec(position_b), b, {});
+    Relative r = relative(a, to_vec(position_a) - to_vec(position_b), b, {});
     Gap gap = with_family(r, [&](const auto& pairing) noexcept { return pairing.gap_at(r.x); });
     if (gap.is_deep) {
         const auto way = way_out(GeneralPair(r.pair, r.hair), r.pair, r.x, r.hair);
@@ -173,8 +174,8 @@ std::optional<PairHit> pair_sweep(const Volume& a, const Motion& motion_a, const
         return blocked_pair(HitStatus::invalid);
     }
     const Vec motion_of_b = to_vec(motion_b.to) - to_vec(motion_b.from);
-    const Relative r = relative(a, to_vec(motion_a.from) - to_vec(motion_b.from), b,
-                                (to_vec(motion_a.to) - to_vec(motion_a.from)) - motion_of_b);
+    Relative r = relative(a, to_vec(motion_a.from) - to_vec(motion_b.from), b,
+                          (to_vec(motion_a.to) - to_vec(motion_a.from)) - motion_of_b);
     if (r.motion == Vec{}) return std::nullopt;
 
     bool is_free = false;
