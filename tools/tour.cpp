@@ -20,6 +20,7 @@
 #include "text.hpp"
 #include "tour/camera.hpp"
 #include "tour/legend.hpp"
+#include "tour/paint.hpp"
 #include "tour/render.hpp"
 #include "tour/route.hpp"
 #include "tour/scene.hpp"
@@ -220,6 +221,8 @@ struct Shot {
     std::string name;
     std::string doing;
     std::vector<dvec3> places{};
+    std::vector<dvec3> across{};
+    std::vector<double> pitches{34, 42, 52};
     double margin = 0.1;
     double focus_share = 1;
     std::vector<Figure> figures{};
@@ -269,6 +272,8 @@ Shot close_up(const Leg& leg, const Walker& walker, const Level& level) {
     const dvec3 way = stop - leg.motion.from;
     const double length = glm::length(way);
     const double shown = std::min(length, 4 * walker.half_size.y);
+    shot.pitches = {14, 22, 30};
+    shot.across = {length > 0 ? way / length : way, leg.hit->normal};
     shot.places = {stop, length > 0 ? stop - way * (shown / length) : stop};
     shot.legend.push_back({fmt::format("t = {:.6f}", leg.hit->t), colour_of(leg.hit->feature), true});
     shot.legend.push_back(
@@ -284,6 +289,8 @@ void take(const Shot& shot, const Level& level, const Walker& walker, bool one_s
     const std::vector<dvec3> frame = frame_around(shot.places, walker.half_size);
     const Camera camera = choose_camera(level.mesh, {.frame = frame,
                                                      .see = shot.places,
+                                                     .across = shot.across,
+                                                     .pitches = shot.pitches,
                                                      .margin = shot.margin,
                                                      .one_sided = one_sided,
                                                      .width = size.width,
@@ -291,10 +298,14 @@ void take(const Shot& shot, const Level& level, const Walker& walker, bool one_s
     dvec3 focus(0);
     for (const dvec3& p : shot.places) focus += p / static_cast<double>(shot.places.size());
     double reach = 3 * walker.half_size.y;
+    std::vector<Colour> surfaces;
+    for (std::uint32_t i = 0; i < std::max<std::size_t>(level.surface_names.size(), 1); ++i)
+        surfaces.push_back(colour_of_surface(i, surface_name(level, i)));
     for (const dvec3& p : shot.places) reach = std::max(reach, glm::length(p - focus));
     Canvas canvas = render({.mesh = &level.mesh,
                             .camera = camera,
                             .figures = shot.figures,
+                            .surfaces = surfaces,
                             .one_sided = one_sided,
                             .unit = 2 * walker.half_size.y,
                             .focus = focus,

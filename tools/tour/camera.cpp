@@ -73,7 +73,7 @@ Camera choose_camera(const Mesh& mesh, const CameraWish& wish) {
     constexpr int around = 24;
     Camera best;
     double most = -1e300;
-    for (const double pitch_deg : {34.0, 42.0, 52.0})
+    for (const double pitch_deg : wish.pitches)
         for (int i = 0; i < around; ++i) {
             const double pitch = pitch_deg * pi / 180;
             const double angle = 2 * pi * (i + 0.31) / around;
@@ -82,7 +82,8 @@ Camera choose_camera(const Mesh& mesh, const CameraWish& wish) {
             fit(camera, wish);
             // A near eye shows more, and a flat view is more of a picture than a plan; being seen comes first.
             const double distance = glm::length(camera.eye - wish.frame.front());
-            const double value = 4 * seen(mesh, camera, wish) - 0.01 * pitch_deg - 0.4 * std::log(distance);
+            double value = 4 * seen(mesh, camera, wish) - 0.01 * pitch_deg - 0.4 * std::log(distance);
+            for (const dvec3& direction : wish.across) value -= std::abs(glm::dot(direction, camera.forward));
             if (value <= most) continue;
             most = value;
             best = camera;

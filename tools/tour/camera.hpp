@@ -37,6 +37,8 @@ struct Camera {
 struct CameraWish {
     std::span<const dvec3> frame;  ///< points that must be in the picture
     std::span<const dvec3> see;    ///< points that should not be hidden, as many as possible
+    std::span<const dvec3> across;     ///< unit directions to be seen from the side, so that their lengths show
+    std::span<const double> pitches;   ///< from the horizon down [degrees]
     double margin = 0.14;          ///< left free on each side, as a share of the picture
     bool one_sided = false;        ///< the level is looked at through the backs of its triangles
     int width = 1280;

@@ -97,8 +97,9 @@ private:
         if (!seen.met) return behind;
         // The level fades into the air away from what the picture is about.
         const double away = glm::length(seen.point - input_.focus) / input_.focus_reach;
+        const Colour base = seen.surface < input_.surfaces.size() ? input_.surfaces[seen.surface] : Colour(0.45);
         const double haze = std::clamp((away - 1) * 0.35, 0.0, 0.8);
-        return glm::mix(ground(*input_.mesh, camera_, seen, light, sunshine_.to_sun), behind, haze);
+        return glm::mix(ground(*input_.mesh, base, camera_, seen, light, sunshine_.to_sun), behind, haze);
     }
 
     /// Figures whose ball may be met by lines of sight of this row.

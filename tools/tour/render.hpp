@@ -16,10 +16,11 @@ struct RenderInput {
     const Mesh* mesh = nullptr;
     Camera camera;
     std::vector<Figure> figures;
-    bool one_sided = false;   ///< look through the backs of triangles, so that a roof does not hide the rooms
-    double unit = 1;          ///< the size of a body: how far corners darken, how wide lines are [m]
-    dvec3 focus{0, 0, 0};     ///< what the picture is about
-    double focus_reach = 10;  ///< how far from the focus the level begins to fade into the distance [m]
+    std::vector<Colour> surfaces;  ///< what each surface looks like, linear
+    bool one_sided = false;        ///< look through the backs of triangles, so that a roof does not hide the rooms
+    double unit = 1;               ///< the size of a body: how far corners darken, how wide lines are [m]
+    dvec3 focus{0, 0, 0};          ///< what the picture is about
+    double focus_reach = 10;       ///< how far from the focus the level begins to fade into the distance [m]
     std::function<void(double)> progress;  ///< called with the share done [0, 1], from the calling thread
 };
 
