@@ -116,6 +116,10 @@ private:
         return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};
     }
 
+    bool is_exact_miss() {
+        return examination_.find_quickly(nullptr, 1, true) || examination_.find_thoroughly(1, true);
+    }
+
     /// The gap at t, by the reported point or else by the nearest points that a search finds.
     double gap_at(const Placement& placement) {
         const double reported = examination_.reach(answer_.t, placement.b, placement.c);
@@ -126,7 +130,7 @@ private:
     Judgement start(const Placement& placement) {
         const double gap = gap_at(placement) / bound_;
         if (!(gap <= 1)) {
-            if (examination_.find_quickly(nullptr, 1, true)) return {Verdict::false_hit, gap, "there is no contact"};
+            if (is_exact_miss()) return {Verdict::false_hit, gap, "there is no contact"};
             return {Verdict::early, gap, "not in touch at the start"};
         }
         const StartSigns signs = start_signs(query_, 0);
@@ -139,12 +143,13 @@ private:
     Judgement later(const Placement& placement) {
         const V3<double> n = examination_.into_frame(answer_.normal);
         if (!examination_.find_quickly(&n, answer_.t, false) && !examination_.find_thoroughly(answer_.t, false)) {
-            if (examination_.overlaps_within(answer_.t)) return {Verdict::late, 0, "the shape cuts into the triangle"};
+            if (examination_.overlaps_within(answer_.t) || start_signs(query_, answer_.t).depth == -1)
+                return {Verdict::late, 0, "the shape cuts into the triangle"};
             return {Verdict::unproved, 0, "no plane was found that separates up to the hit"};
         }
         const double gap = gap_at(placement) / bound_;
         if (!(gap <= 1)) {
-            if (examination_.find_quickly(nullptr, 1, true)) return {Verdict::false_hit, gap, "there is no contact"};
+            if (is_exact_miss()) return {Verdict::false_hit, gap, "there is no contact"};
             return {Verdict::early, gap, "too far away at the hit"};
         }
         // A false hit within the bound is allowed, but only if the shape approaches. Clear cases need no proof.
@@ -152,7 +157,7 @@ private:
         const double along = (answer_.normal.x * d.x + answer_.normal.y * d.y + answer_.normal.z * d.z);
         const double speed = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
         if (along < -1e-6 * speed) return {Verdict::right, gap, "a hit"};
-        const bool is_miss = examination_.find_quickly(nullptr, 1, true) || examination_.find_thoroughly(1, true);
+        const bool is_miss = is_exact_miss();
         if (is_miss && start_signs(query_, answer_.t).slope != -1)
             return {Verdict::false_hit, gap, "it passes near the triangle, and does not approach it at t"};
         return {Verdict::right, gap, is_miss ? "passes within the bound" : "a hit"};
@@ -170,18 +175,15 @@ private:
         if (along > angle * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z))
             return {Verdict::bad_normal, 0, "the shape goes along the normal, not against it"};
         if (!point_is_near_) return {Verdict::bad_point, 0, "the point is not on both triangle and shape"};
-        if ((answer_.feature == Feature::vertex && !placement.on_vertex) ||
-            (answer_.feature == Feature::edge && !placement.on_edge))
-            return {Verdict::bad_feature, 0, "the point is not on the feature"};
-        if (answer_.feature == Feature::face && !faces(local))
-            return {Verdict::bad_feature, 0, "the normal is not that of the face"};
+        if (is_deep() ? !supports(local) : !is_on_feature(placement, local))
+            return {Verdict::bad_feature, 0, "the contact is not on the feature"};
         return {Verdict::right, 0, ""};
     }
 
     /// Every normal's gap is a lower bound on the distance; that of the contact attains it.
     bool is_of_contact(const V3<double>& n) const {
         double gap = examination_.gap(n, answer_.t), best = 0, allowed = 2 * bound_;
-        if (answer_.t == 0 && start_gap_ < -bound_) {  // deep inside: the shortest way out
+        if (is_deep()) {  // the shortest way out
             best = start_gap_;
             allowed += angle * reach_;
             if (query_.kind == Kind::ellipsoid) {
@@ -195,7 +197,9 @@ private:
         // A slight turn of the normal costs a gap far out on a large triangle. What counts is near the contact: there
         // the triangle must lie behind the plane, and the shape before it.
         const V3<double> apart = examination_.into_frame(minus(at(answer_.t), answer_.point));
-        if (dot(n, apart) < examination_.support(n) - allowed - angle * reach_) return false;
+        const bool round = query_.kind == Kind::sphere || query_.kind == Kind::ellipsoid;
+        const double slack = (round ? angle * angle : angle) * reach_;  // a turn moves what supports a ball by little
+        if (dot(n, apart) < examination_.support(n) - allowed - slack) return false;
         return above(n, 1) <= allowed + angle * reach_;
     }
 
@@ -211,8 +215,23 @@ private:
         return most;
     }
 
-    /// Is the normal that of the triangle's plane?
-    bool faces(const V3<double>& n) const { return above(n, 2) <= 2 * bound_ + angle * reach_; }
+    [[nodiscard]] bool is_deep() const { return answer_.t == 0 && start_gap_ < -bound_; }
+
+    bool is_on_feature(const Placement& placement, const V3<double>& n) const {
+        if (answer_.feature == Feature::vertex) return placement.on_vertex;
+        if (answer_.feature == Feature::edge) return placement.on_edge;
+        return above(n, 2) <= 2 * bound_ + angle * reach_;  // the normal is that of the triangle's plane
+    }
+
+    /// Deep inside, the part of the triangle that lies deepest along the normal may well be outside the shape, so the
+    /// feature cannot be told from the point: as many corners as it has must lie deepest.
+    bool supports(const V3<double>& n) const {
+        const V3<double>* w = examination_.local().w;
+        const double low = std::min({dot(n, w[0]), dot(n, w[1]), dot(n, w[2])});
+        int deepest = 0;
+        for (int i = 0; i < 3; ++i) deepest += dot(n, w[i]) - low <= 2 * bound_ + angle * reach_ ? 1 : 0;
+        return deepest >= (answer_.feature == Feature::face ? 3 : (answer_.feature == Feature::edge ? 2 : 1));
+    }
 
     Vec at(double t) const {
         const Vec d = minus(query_.to, query_.from);

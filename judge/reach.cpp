@@ -149,26 +149,32 @@ double Examination::reach(double t, double allowed) {
 }
 
 bool Examination::overlaps_within(double t) {
-    V3<double> corners[6];
-    for (int i = 0; i < 3; ++i) {
-        corners[i] = local_.w[i];
-        corners[i + 3] = local_.w[i] + scaled(local_.d, t);
+    // The point that a search finds may lie on the very surface; in a slightly smaller shape it lies well inside.
+    for (const double shrink : {0.5, 0.99, 0.999999, 1.0}) {
+        Local<double> local = local_;
+        local.size = scaled(local.size, shrink);
+        V3<double> corners[6];
+        for (int i = 0; i < 3; ++i) {
+            corners[i] = local.w[i];
+            corners[i + 3] = local.w[i] + scaled(local.d, t);
+        }
+        const Nearest<double> found = Gjk<double>(local, corners, 6).run(60, 1e-15);
+        double weights[3] = {0, 0, 0};
+        double total = 0, late = 0;
+        for (int i = 0; i < found.count; ++i) {
+            weights[found.corner[i] % 3] += found.weight[i];
+            total += found.weight[i];
+            if (found.corner[i] >= 3) late += found.weight[i];
+        }
+        if (!(total > 0)) continue;
+        double b = weights[1] / total, c = weights[2] / total;
+        clamp_weights(b, c);
+        const double when = std::clamp(late / total, 0.0, 1.0) * t;
+        const Frame<Dyadic>& frame = exactly();
+        const V3<Dyadic> meet = blend(frame.w, Dyadic(b), Dyadic(c)) + scaled(frame.d, Dyadic(when));
+        if (inside(query_.kind, frame.size, meet) == 1) return true;
     }
-    const Nearest<double> found = Gjk<double>(local_, corners, 6).run(60, 1e-15);
-    double weights[3] = {0, 0, 0};
-    double total = 0, late = 0;
-    for (int i = 0; i < found.count; ++i) {
-        weights[found.corner[i] % 3] += found.weight[i];
-        total += found.weight[i];
-        if (found.corner[i] >= 3) late += found.weight[i];
-    }
-    if (!(total > 0)) return false;
-    double b = weights[1] / total, c = weights[2] / total;
-    clamp_weights(b, c);
-    const double when = std::clamp(late / total, 0.0, 1.0) * t;
-    const Frame<Dyadic>& frame = exactly();
-    const V3<Dyadic> meet = blend(frame.w, Dyadic(b), Dyadic(c)) + scaled(frame.d, Dyadic(when));
-    return inside(query_.kind, frame.size, meet) == 1;
+    return false;
 }
 
 }  // namespace judge

@@ -37,6 +37,7 @@ Ints reduced(Ints v) {
 
 struct Surface {
     Ints size, point, out;
+    bool sharp = false;
 };
 
 /// A vector of length 5 in two of its parts.
@@ -99,29 +100,33 @@ Surface draw_surface(Draw& draw, Kind kind) {
         case Kind::cylinder: {
             const long long sign = draw.coin() ? 1 : -1;
             switch (draw.pick(3)) {
-                case 0:  // mantle
-                    return {
-                        {5, tall, 0}, {a, draw.integer(-static_cast<int>(tall), static_cast<int>(tall)), b}, {a, 0, b}};
+                case 0: {  // mantle
+                    const long long y = draw.integer(-static_cast<int>(tall), static_cast<int>(tall));
+                    return {{5, tall, 0}, {a, y, b}, {a, 0, b}, std::llabs(y) == tall};
+                }
                 case 1:  // cap
                     return {{5, tall, 0}, {draw.integer(-3, 3), sign * tall, draw.integer(-3, 3)}, {0, sign, 0}};
-                default:  // rim
-                    return {{5, tall, 0}, {a, sign * tall, b}, {a, sign * draw.integer(0, 9), b}};
+                default: {  // rim
+                    const int up = draw.integer(0, 9);
+                    return {{5, tall, 0}, {a, sign * tall, b}, {a, sign * up, b}, up == 0};
+                }
             }
         }
         case Kind::cone:
             break;
     }
     switch (draw.pick(4)) {
-        case 0:  // apex
-            return {
-                {5, tall, 0}, {0, 0, 0}, draw.coin() ? Ints{0, -1, 0} : Ints{a, -(25 / tall + draw.integer(1, 5)), b}};
+        case 0: {  // apex
+            if (draw.coin()) return {{5, tall, 0}, {0, 0, 0}, {0, -1, 0}};
+            return {{5, tall, 0}, {0, 0, 0}, {a, -(25 / tall + draw.integer(1, 5)), b}, true};
+        }
         case 1:  // disc
             return {{5, tall, 0}, {draw.integer(-3, 3), tall, draw.integer(-3, 3)}, {0, 1, 0}};
-        default: {  // mantle (half way up) or rim
-            const long long whole = draw.coin() ? 2 : 1;
-            Ints out{tall * a, -25, tall * b};
-            if (whole == 2 && draw.coin()) out = out + Ints{0, 5LL * draw.integer(1, 9), 0};
-            return {{10, 2 * tall, 0}, {a * whole, tall * whole, b * whole}, out};
+        case 2:  // mantle, half way up
+            return {{10, 2 * tall, 0}, {a, tall, b}, {tall * a, -25, tall * b}};
+        default: {  // rim
+            const long long up = 5LL * draw.integer(0, 9);
+            return {{5, tall, 0}, {a, tall, b}, {tall * a, up - 25, tall * b}, true};
         }
     }
 }
@@ -142,6 +147,7 @@ ExactContact draw_contact(Draw& draw, Kind kind) {
     };
 
     ExactContact contact;
+    contact.sharp = s.sharp;
     contact.unit = std::ldexp(1.0, draw.integer(-8, 4));
     const double unit = contact.unit;
     const auto vec = [&](const Ints& v) {
@@ -167,29 +173,38 @@ ExactContact draw_contact(Draw& draw, Kind kind) {
     const auto along = [&](int i, int j, int k) {
         return at + (contact.tangent[0] * i + contact.tangent[1] * j + contact.out * k) * grow;
     };
-    switch (draw.pick(3)) {
-        case 0:
-            query.a = along(draw.integer(1, 4), draw.integer(-4, 4), 0);
-            query.b = along(-draw.integer(1, 4), draw.integer(1, 4), 0);
-            query.c = along(-draw.integer(1, 4), -draw.integer(1, 4), 0);
-            break;
-        case 1: {
-            const int i = draw.integer(1, 4), j = draw.integer(-4, 4);
-            query.a = along(i, j, 0);
-            query.b = along(-i, -j, 0);
-            query.c = along(draw.integer(-4, 4), draw.integer(-4, 4), draw.integer(0, 4));
+    contact.part = static_cast<Feature>(draw.pick(3));
+    switch (contact.part) {
+        case Feature::face: {  // any p, q that are not parallel, and a third corner opposite
+            const int px = draw.integer(1, 4), py = draw.integer(-4, 4), qx = draw.integer(-4, 4);
+            const int qy = draw.integer(1, 4) * (px * 5 > py * qx ? 1 : -1), m = draw.integer(1, 2);
+            const bool parallel = px * qy == py * qx;
+            query.a = along(px, py, 0);
+            query.b = along(parallel ? -1 : qx, parallel ? 5 : qy, 0);
+            query.c = along(-m * (px + (parallel ? -1 : qx)), -m * (py + (parallel ? 5 : qy)), 0);
             break;
         }
-        default:
+        case Feature::edge: {
+            const int i = draw.integer(1, 4), j = draw.integer(-4, 4), k = draw.integer(-4, 4), l = draw.integer(-4, 4);
+            query.a = along(i, j, 0);
+            query.b = along(-i, -j, 0);
+            query.c = along(k, l, draw.integer(0, 4));
+            break;
+        }
+        case Feature::vertex: {
             query.a = at;
-            query.b = along(draw.integer(-4, 4), draw.integer(-4, 4), draw.integer(0, 4));
-            query.c = along(draw.integer(-4, 4), draw.integer(-4, 4), draw.integer(0, 4));
+            for (Vec* corner : {&query.b, &query.c}) {
+                const int k = draw.integer(-4, 4), l = draw.integer(-4, 4);
+                *corner = along(k, l, draw.integer(0, 4));
+            }
+        }
     }
     // Far from the origin the same whole numbers, as long as they fit.
     const Vec offset = Vec{static_cast<double>(draw.integer(-4, 4)), static_cast<double>(draw.integer(-4, 4)),
                            static_cast<double>(draw.integer(-4, 4))} *
                        (unit * std::ldexp(1.0, draw.integer(0, 20)));
     contact.here = offset;
+    contact.at = at + offset;
     for (Vec* v : {&query.a, &query.b, &query.c}) *v = *v + offset;
     return contact;
 }

@@ -6,13 +6,15 @@
 
 namespace judge {
 
-enum class Part : std::uint8_t { face, edge, vertex };
-
 struct ExactContact {
-    Query query;      ///< shape, orientation and a triangle that touches it, the reference point at `here`
-    Vec here;         ///< where the reference point touches
-    Vec out;          ///< outward normal of the shape at the contact: towards the triangle, of integers times `unit`
-    Vec tangent[2];   ///< perpendicular to `out`, exactly
+    Query query;                   ///< shape, orientation and a triangle that touches it, the reference point at `here`
+    Vec here;                      ///< where the reference point touches
+    Vec at;                        ///< where they touch then
+    Feature part = Feature::face;  ///< the part of the triangle that is there
+    Vec out;         ///< outward normal of the shape at the contact: towards the triangle, of integers times `unit`
+    Vec tangent[2];  ///< perpendicular to `out`, exactly
+    /// On a rim or apex, where moving along `out` may also slide along another plane of the shape.
+    bool sharp = false;
     double unit = 1;  ///< a power of two
 };
 

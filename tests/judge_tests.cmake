@@ -1,0 +1,29 @@
+# Tests that the judge takes part in.
+surefoot_test(judge_test judge_test.cpp)
+surefoot_test(metamorphic_test metamorphic_test.cpp)
+surefoot_test(proof_test proof_test.cpp ${PROJECT_SOURCE_DIR}/tools/prove/lines.cpp)
+foreach(name judge_test metamorphic_test proof_test)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+  target_link_libraries(${name} PRIVATE surefoot_judge)
+endforeach()
+
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+
+# The core once more, with the seeded faults that the judge must catch. Never installed, never linked with the real one.
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+get_target_property(core_sources surefoot SOURCES)
+list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/src/)
+add_library(surefoot_faulty STATIC EXCLUDE_FROM_ALL ${core_sources})
+surefoot_target(surefoot_faulty)
+target_include_directories(surefoot_faulty PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(surefoot_faulty PUBLIC glm::glm tl::expected)
+target_compile_definitions(surefoot_faulty PUBLIC SUREFOOT_SEEDED_FAULTS)
+
+add_executable(faults_test faults_test.cpp)
+surefoot_target(faults_test)
+target_include_directories(faults_test PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+target_link_libraries(faults_test PRIVATE surefoot_faulty surefoot_judge GTest::gtest_main)
+# One test for all: what is sound without faults is found out once.
+add_test(NAME faults_test COMMAND faults_test)

@@ -1,0 +1,212 @@
+// What must not change an answer: the unit of length, the order of the corners, where the origin is, a rotation of
+// everything, a cut through the triangle or the motion, and which way time runs.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "judge/judge.hpp"
+#include "judge/runner.hpp"
+#include "prove/bridge.hpp"
+
+namespace surefoot::tools {
+namespace {
+
+using judge::Answer;
+using judge::Draw;
+using judge::Kind;
+using judge::Query;
+using judge::Vec;
+
+constexpr int rounds = 2000;
+
+class EveryShape : public testing::TestWithParam<Kind> {
+protected:
+    /// Queries of many families, so that tangencies and touching starts are among them.
+    template <class Check>
+    void for_many(std::initializer_list<const char*> families, const Check& check) {
+        Draw draw(71 + static_cast<std::uint64_t>(GetParam()));
+        const judge::Sweep sweep_it(ask);
+        std::vector<Query> queries;
+        for (const judge::Family& family : judge::families()) {
+            if (std::find(families.begin(), families.end(), std::string(family.name)) == families.end()) continue;
+            for (int done = 0; done < rounds;) {
+                queries.clear();
+                family.make({draw, GetParam(), sweep_it}, queries);
+                for (const Query& query : queries) check(query, draw);
+                done += static_cast<int>(queries.size());
+            }
+        }
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Metamorphic, EveryShape,
+                         testing::Values(Kind::sphere, Kind::ellipsoid, Kind::capsule, Kind::box, Kind::cylinder,
+                                         Kind::cone),
+                         [](const auto& shape) { return std::string(judge::name_of(shape.param)); });
+
+Query scaled(Query query, double by) {
+    for (Vec* v : {&query.from, &query.to, &query.a, &query.b, &query.c, &query.size}) *v = *v * by;
+    return query;
+}
+
+/// How far apart two answers to the same question may stop: each is within the hair of the truth.
+double hair(const Query& query) {
+    return 2 * judge::allowed_gap * judge::largest(query);
+}
+
+/// The gap between shape and triangle at the stop of `from` is what may differ, not the time; along a grazing motion
+/// the time is ill-conditioned. So: both stop within the hair as far as it shows along the normal.
+void expect_same_stop(const Query& query, const Answer& one, double t_of_other) {
+    const Vec d = query.to - query.from;
+    EXPECT_LE(std::fabs(one.t - t_of_other) * std::fabs(dot(d, one.normal)), 8 * hair(query))
+        << "t " << one.t << " and " << t_of_other;
+}
+
+/// Away from the hair: shape grown and shrunk a little answer alike, so rounding cannot decide between hit and no hit.
+bool is_clear(const Query& query) {
+    bool hits[2] = {};
+    double times[2] = {};
+    int i = 0;
+    for (const double by : {1 - 1e-6, 1 + 1e-6}) {
+        Query other = query;
+        other.size = query.size * by;
+        const Answer answer = ask(other);
+        hits[i] = answer.hit && answer.t > 0;
+        times[i++] = answer.t;
+        if (answer.hit && answer.t == 0) return false;
+    }
+    return hits[0] == hits[1] && std::fabs(times[0] - times[1]) < 1e-3;
+}
+
+TEST_P(EveryShape, a_power_of_two_of_the_unit_of_length_changes_no_bit) {
+    for_many({"random", "tangent", "touching", "inside", "slivers", "shared"}, [](const Query& query, Draw& draw) {
+        const double by = std::ldexp(1.0, draw.integer(-6, 6));
+        const Query other = scaled(query, by);
+        // What is nearly zero would underflow, or leave the limits.
+        if (!judge::is_valid(other) || !judge::is_valid(query)) return;
+        const Answer one = ask(query), two = ask(other);
+        ASSERT_EQ(one.hit, two.hit);
+        EXPECT_EQ(one.t, two.t);
+        EXPECT_EQ(one.started_inside, two.started_inside);
+        EXPECT_EQ(one.feature, two.feature);
+        for (double Vec::*part : {&Vec::x, &Vec::y, &Vec::z}) {
+            EXPECT_EQ(one.normal.*part, two.normal.*part);
+            EXPECT_EQ(one.point.*part * by, two.point.*part);
+        }
+    });
+}
+
+TEST_P(EveryShape, the_order_of_the_corners_changes_no_bit) {
+    for_many({"random", "tangent", "touching", "inside", "slivers", "shared", "far"}, [](const Query& query, Draw&) {
+        const Answer one = ask(query);
+        const Vec corners[3] = {query.a, query.b, query.c};
+        constexpr int orders[5][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+        for (const auto& order : orders) {
+            Query other = query;
+            other.a = corners[order[0]], other.b = corners[order[1]], other.c = corners[order[2]];
+            const Answer two = ask(other);
+            ASSERT_EQ(one.hit, two.hit);
+            EXPECT_EQ(one.t, two.t);
+            EXPECT_EQ(one.feature, two.feature);
+            for (double Vec::*part : {&Vec::x, &Vec::y, &Vec::z}) {
+                EXPECT_EQ(one.normal.*part, two.normal.*part);
+                EXPECT_EQ(one.point.*part, two.point.*part);
+            }
+        }
+    });
+}
+
+TEST_P(EveryShape, a_translation_moves_the_answer_along) {
+    int compared = 0;
+    for_many({"random", "ratios", "wedges"}, [&](const Query& query, Draw& draw) {
+        if (!is_clear(query)) return;
+        const Vec by = draw.box(1000);
+        Query other = query;
+        for (Vec* v : {&other.from, &other.to, &other.a, &other.b, &other.c}) *v = *v + by;
+        const Answer one = ask(query), two = ask(other);
+        ASSERT_EQ(one.hit, two.hit);
+        if (one.hit) expect_same_stop(other, one, two.t), ++compared;
+    });
+    EXPECT_GT(compared, rounds / 4);
+}
+
+TEST_P(EveryShape, a_rotation_of_everything_turns_the_answer_along) {
+    int compared = 0;
+    for_many({"random", "ratios", "wedges"}, [&](const Query& query, Draw& draw) {
+        if (!is_clear(query)) return;
+        Query turn;
+        judge::draw_orientation(draw, turn);
+        Query other = query;
+        for (Vec* v : {&other.from, &other.to, &other.a, &other.b, &other.c}) *v = judge::turned(turn, *v);
+        const double w = turn.qw, x = turn.qx, y = turn.qy, z = turn.qz;
+        other.qw = w * query.qw - x * query.qx - y * query.qy - z * query.qz;
+        other.qx = w * query.qx + x * query.qw + y * query.qz - z * query.qy;
+        other.qy = w * query.qy - x * query.qz + y * query.qw + z * query.qx;
+        other.qz = w * query.qz + x * query.qy - y * query.qx + z * query.qw;
+        const Answer one = ask(query), two = ask(other);
+        ASSERT_EQ(one.hit, two.hit);
+        if (one.hit) expect_same_stop(query, one, two.t), ++compared;
+    });
+    EXPECT_GT(compared, rounds / 4);
+}
+
+TEST_P(EveryShape, a_triangle_cut_in_two_stops_the_shape_where_the_whole_one_does) {
+    int compared = 0;
+    for_many({"random", "ratios", "wedges"}, [&](const Query& query, Draw&) {
+        if (!is_clear(query)) return;
+        const Vec middle = (query.a + query.b) * 0.5;
+        Query halves[2] = {query, query};
+        halves[0].b = middle;
+        halves[1].a = middle;
+        const Answer one = ask(query);
+        double first = 2;
+        for (const Query& half : halves)
+            if (const Answer answer = ask(half); answer.hit) first = std::min(first, answer.t);
+        ASSERT_EQ(one.hit, first <= 1);
+        if (one.hit) expect_same_stop(query, one, first), ++compared;
+    });
+    EXPECT_GT(compared, rounds / 4);
+}
+
+TEST_P(EveryShape, a_motion_cut_in_two_stops_where_the_whole_one_does) {
+    int compared = 0;
+    for_many({"random", "ratios", "wedges"}, [&](const Query& query, Draw&) {
+        if (!is_clear(query)) return;
+        const Answer one = ask(query);
+        if (one.hit && std::fabs(one.t - 0.5) < 1e-3) return;  // the cut is where it touches
+        const Vec middle = (query.from + query.to) * 0.5;
+        Query halves[2] = {query, query};
+        halves[0].to = middle;
+        halves[1].from = middle;
+        const Answer early = ask(halves[0]);
+        const Answer late = early.hit ? early : ask(halves[1]);
+        ASSERT_EQ(one.hit, early.hit || late.hit);
+        if (one.hit) expect_same_stop(query, one, early.hit ? 0.5 * early.t : 0.5 + 0.5 * late.t), ++compared;
+    });
+    EXPECT_GT(compared, rounds / 4);
+}
+
+TEST_P(EveryShape, with_clear_ends_the_way_back_hits_if_and_only_if_the_way_there_does) {
+    int compared = 0;
+    for_many({"random", "ratios", "edge-on"}, [&](const Query& query, Draw&) {
+        Query back = query;
+        std::swap(back.from, back.to);
+        if (!is_clear(query) || !is_clear(back)) return;
+        // Clear at both ends: standing at either, no way out of the triangle is needed.
+        for (const Vec& end : {query.from, query.to}) {
+            const Volume volume(shape_from(query), dquat(query.qw, query.qx, query.qy, query.qz));
+            Query still = query;
+            still.from = end;
+            for (const Vec& way :
+                 {Vec{1, 0, 0}, Vec{-1, 0, 0}, Vec{0, 1, 0}, Vec{0, -1, 0}, Vec{0, 0, 1}, Vec{0, 0, -1}}) {
+                still.to = end + way * (1e-9 * judge::reach_of(query));
+                if (ask(still).hit) return;
+            }
+        }
+        EXPECT_EQ(ask(query).hit, ask(back).hit);
+        ++compared;
+    });
+    EXPECT_GT(compared, rounds / 4);
+}
+
+}  // namespace
+}  // namespace surefoot::tools
