@@ -70,21 +70,30 @@ Simplex of_three(const Corner& a, const Corner& b, const Corner& c) noexcept {
     return nearer(of_two(a, b), nearer(of_two(b, c), of_two(c, a)));
 }
 
+// The nearest point of a tetrahedron is on one of the faces that have the origin on their outer side.
 Simplex of_four(const Corner (&c)[4]) noexcept {
     static constexpr int faces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
-    bool holds = true;
     Simplex best;
+    double weight[4] = {};
     for (const auto& face : faces) {
         const Corner& a = c[face[0]];
         const Vec normal = accurate_cross(c[face[1]].at - a.at, c[face[2]].at - a.at);
         const double opposite = dot(normal, c[face[3]].at - a.at);
         const double origin = -dot(normal, a.at);
-        // Strictly on the same side of all four, else the nearest point is on a face.
-        if (!(origin * opposite > 0)) holds = false;
+        if (origin * opposite > 0) {
+            weight[face[3]] = origin / opposite;
+            continue;
+        }
         const Simplex side = of_three(a, c[face[1]], c[face[2]]);
         best = best.count == 0 ? side : nearer(best, side);
     }
-    best.holds_origin = holds;
+    if (best.count == 0) {
+        for (; best.count < 4; ++best.count) {
+            best.corner[best.count] = c[best.count];
+            best.corner[best.count].weight = weight[best.count];
+        }
+        best.holds_origin = true;
+    }
     return best;
 }
 

@@ -6,7 +6,8 @@ namespace surefoot::internal {
 
 namespace {
 
-constexpr int most_tries = 8;
+constexpr int most_turns = 40;
+constexpr int most_tries = 6;
 constexpr int start_count = 4;
 
 struct Start {
@@ -26,32 +27,50 @@ struct Starts {
     }
 };
 
+// Downhill over the directions, by planes alone. What the plane's two points are beside each other, seen along n, is
+// how its depth changes when n turns (it is the gradient): so turn against that, by less when it did not help.
+void descend(const PlacedPair& pair, const Vec& x, Start& start) noexcept {
+    double turn = 0.5;
+    for (int i = 0; i < most_turns && turn > 0x1p-12; ++i) {
+        const Vec beside = pair.b.farthest(start.normal) - pair.a.farthest(-start.normal) - x;
+        const Vec gradient = beside - start.normal * dot(start.normal, beside);
+        const double size = length(gradient);
+        if (!(size > 0)) return;
+        const Vec n = unit(start.normal - gradient * (turn / size));
+        const double depth = -pair.gap_along(n, x);
+        if (depth < start.depth) {
+            start = {n, depth};
+        } else {
+            turn *= 0.5;
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<Gap> way_out(const GeneralPair& pairing, const PlacedPair& pair, const Vec& x, double hair) noexcept {
     const double apart = 0x1p-8 * (pair.a.size() + pair.b.size());
     Starts starts;
     visit_usual_normals(pair, x, [&](const Vec& n) noexcept { starts.offer({n, -pair.gap_along(n, x)}, hair); });
-    std::optional<Gap> best;
-    for (const Start& start : starts.best) {
-        Vec n = start.normal;
-        double depth = start.depth;
-        double shortest = 1e300;
-        for (int i = 0; i < most_tries && depth < 1e300; ++i) {
-            // Back from where the plane of n has them well apart, to the touch.
-            const double far = larger(depth, 0) + apart;
-            const Advance back = advance(pairing, pair, x + n * far, n * -far, hair);
-            if (back.outcome != Advance::Outcome::touches) break;
-            const double exit = far * (1 - back.t);
-            if (exit >= shortest) break;
-            shortest = exit;
-            if (!best || exit < -best->least - hair) best = Gap{.least = -exit, .most = -exit, .normal = n};
-            n = back.gap.normal;
-            depth = -pair.gap_along(n, x);
-            if (depth >= exit - hair) break;
-        }
+    Start best;
+    for (Start& start : starts.best) {
+        if (start.depth == 1e300) continue;
+        descend(pair, x, start);
+        if (start.depth < best.depth - hair) best = start;
     }
-    return best;
+    std::optional<Gap> shortest;
+    for (int i = 0; i < most_tries; ++i) {
+        // Back from where the plane has them well apart, to the touch.
+        const double far = larger(best.depth, 0) + apart;
+        const Advance back = advance(pairing, pair, x + best.normal * far, best.normal * -far, hair);
+        if (back.outcome != Advance::Outcome::touches) break;
+        const double exit = far * (1 - back.t);
+        if (shortest && exit >= -shortest->least) break;
+        shortest = Gap{.least = -exit, .most = -exit, .normal = best.normal};
+        best = {back.gap.normal, -pair.gap_along(back.gap.normal, x)};
+        if (best.depth >= exit - hair) break;
+    }
+    return shortest;
 }
 
 }  // namespace surefoot::internal

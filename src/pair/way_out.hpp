@@ -57,9 +57,9 @@ bool goes_deeper(const Pairing& pairing, const PlacedPair& pair, const Vec& x, c
     return deeper;
 }
 
-/// The way out of two cores that overlap, by GJK alone: the best of the usual normals, then downhill. Going out along n
-/// the shapes part at a touch whose own normal is never worse: the plane there is no farther than the way that led to
-/// it. That is repeated until it no longer helps. Nothing if the bound on the work was met.
+/// The way out of two cores that overlap: from the best of the usual normals downhill by planes, then by touches. Going
+/// out along n the shapes part at a touch whose own normal is never worse: the plane there is no farther than the way
+/// that led to it. That is repeated while it helps. Nothing if no touch was found within the bound on the work.
 std::optional<Gap> way_out(const GeneralPair& pairing, const PlacedPair& pair, const Vec& x, double hair) noexcept;
 
 }  // namespace surefoot::internal
