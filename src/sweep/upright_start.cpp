@@ -44,7 +44,9 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     Outlook outlook;
     bool all_close = true;
     bool all_open = true;
+    // An edge nearly parallel to the rims may have lost its climb to rounding.
     bool some_rim = false;
+    for (int i = 0; i < 3; ++i) some_rim = some_rim || absolute(query.edge_direction(i).y) < hair;
     for (int i = 0; i < with_rims.count(); ++i) {
         const auto& plane = with_rims.plane(i);
         if (plane.gap < nearest - hair) continue;
@@ -82,9 +84,9 @@ Approach decide_in_reals(const Volume& volume, const Motion& motion, const Trian
             if (closing.approach > -slope_hair) return Approach::no_closer;
             for (int j = 0; j < start.count(); ++j) {
                 const auto& opening = start.plane(j);
-                if (opening.approach > slope_hair && start.combined_gap(closing, opening) > hair) {
-                    return Approach::no_closer;
-                }
+                if (!(opening.approach > slope_hair)) continue;
+                const auto across = start.combine(closing, opening);
+                if (across.gap > hair && across.approach > -slope_hair) return Approach::no_closer;
             }
         }
         return Approach::deeper;

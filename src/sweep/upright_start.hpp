@@ -56,9 +56,10 @@ public:
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const Plane& plane(int i) const noexcept { return planes_[i]; }
 
-    /// The gap that the combination of two planes perpendicular to the motion has.
-    [[nodiscard]] Scalar combined_gap(const Plane& closing, const Plane& opening) const noexcept {
-        return make_plane(closing.normal * opening.approach - opening.normal * closing.approach).gap;
+    /// The combination of two planes that is perpendicular to the motion. Of a plane and its opposite nothing is left but
+    /// rounding, so the approach of what comes out must be looked at too.
+    [[nodiscard]] Plane combine(const Plane& closing, const Plane& opening) const noexcept {
+        return make_plane(closing.normal * opening.approach - opening.normal * closing.approach);
     }
 
     /// The largest gap of all: minus the depth, if the origin is in M.
