@@ -1,103 +1,56 @@
 #include "sweep/contact_point.hpp"
 
 #include "nearest.hpp"
-#include "overloaded.hpp"
+#include "sweep/deepest.hpp"
 
 namespace surefoot::internal {
 
 namespace {
 
-struct Polygon {
-    Vec points[10];
-    int count = 0;
-};
-
-// Sutherland and Hodgman's clip against the half space where side * (p along one axis) <= bound.
-Polygon clipped(const Polygon& polygon, const Vec& axis, double bound) noexcept {
-    Polygon result;
-    for (int i = 0; i < polygon.count; ++i) {
-        const Vec& here = polygon.points[i];
-        const Vec& next = polygon.points[(i + 1) % polygon.count];
-        const double over = dot(here, axis) - bound;
-        const double over_next = dot(next, axis) - bound;
-        if (over <= 0 && result.count < 10) result.points[result.count++] = here;
-        if ((over < 0 && over_next > 0) || (over > 0 && over_next < 0)) {
-            if (result.count < 10) result.points[result.count++] = here + (next - here) * (over / (over - over_next));
-        }
+// The corners whose part of the triangle holds the point: one, two or all three.
+unsigned corners_about(const Vec (&corners)[3], const Vec& point, double margin) noexcept {
+    for (unsigned i = 0; i < 3; ++i) {
+        if (length(corners[i] - point) <= margin) return 1U << i;
     }
-    return result;
+    for (unsigned i = 0; i < 3; ++i) {
+        const unsigned j = (i + 1) % 3;
+        if (length(nearest_on_segment(point, corners[i], corners[j]) - point) <= margin) return 1U << i | 1U << j;
+    }
+    return 7;
 }
 
-// The middle of what the box, a little larger, has of the triangle.
-Vec in_box(const Vec (&corners)[3], const Vec& half_extents, double margin, const Vec& fallback) noexcept {
-    Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
-    const Vec axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (const Vec& axis : axes) {
-        const double bound = dot(half_extents, axis) + margin;
-        polygon = clipped(clipped(polygon, axis, bound), -axis, bound);
+// On the part of the triangle that the plane touches.
+Vec point_on_part(const Shape& shape, const Vec (&corners)[3], unsigned part, double margin) noexcept {
+    for (unsigned i = 0; i < 3; ++i) {
+        if (part == 1U << i) return corners[i];
+        const unsigned j = (i + 1) % 3;
+        if (part == (1U << i | 1U << j)) return deepest_on_segment(shape, corners[i], corners[j], margin);
     }
-    if (polygon.count == 0) return nearest_on_triangle(fallback, corners);
-    Vec middle;
-    for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.points[i];
-    return middle / polygon.count;
-}
-
-double signed_like(double size, double sign) noexcept {
-    return sign < 0 ? -size : size;
+    return deepest_on_triangle(shape, corners, margin);
 }
 
 }  // namespace
 
-Vec contact_point(const SweepQuery& query, const Vec& moved, const Vec& normal) noexcept {
-    const Vec corners[3] = {query.corners[0] - moved, query.corners[1] - moved, query.corners[2] - moved};
-    double hair = 2 * query.shape_slack;
-    for (const double slack : query.corner_slack) hair += 2 * slack;
-
-    const double sideways = std::sqrt(normal.x * normal.x + normal.z * normal.z);
-    const auto rim_point = [&](double radius, double height) {
-        return sideways > 0 ? Vec{-normal.x / sideways * radius, height, -normal.z / sideways * radius}
-                            : Vec{0, height, 0};
-    };
-    const Vec local =
-        std::visit(Overloaded{
-                       [&](const Sphere&) { return nearest_on_triangle({}, corners); },
-            [&](const Ellipsoid& ellipsoid) {
-                const Vec radii = to_vec(ellipsoid.radii);
-                const Vec squashed[3] = {divide_each(corners[0], radii), divide_each(corners[1], radii),
-                                         divide_each(corners[2], radii)};
-                return multiply_each(nearest_on_triangle({}, squashed), radii);
-            },
-            [&](const Capsule& capsule) {
-                const Vec up{0, capsule.half_height, 0};
-                return nearest_on_triangle_to_segment(-up, up, corners);
-            },
-            [&](const Box& box) {
-                           const Vec half = to_vec(box.half_extents);
-                           const Vec support{-signed_like(half.x, normal.x), -signed_like(half.y, normal.y),
-                                             -signed_like(half.z, normal.z)};
-                           return in_box(corners, half, hair, support);
-                       },
-                       [&](const Cylinder& cylinder) {
-                           const double height = -signed_like(cylinder.half_height, normal.y);
-                           if (sideways * cylinder.radius <= hair) return nearest_on_triangle({0, height, 0}, corners);
-                           const Vec rim = rim_point(cylinder.radius, height);
-                           if (absolute(normal.y) * cylinder.half_height > hair)
-                               return nearest_on_triangle(rim, corners);
-                           return nearest_on_triangle_to_segment(rim, {rim.x, -height, rim.z}, corners);
-                       },
-                       [&](const Cone& cone) {
-                           const Vec rim = rim_point(cone.radius, cone.height);
-                           const double rim_reach = sideways * cone.radius - normal.y * cone.height;
-                           if (normal.y < 0 && sideways * cone.radius <= hair) {
-                               return nearest_on_triangle({0, cone.height, 0}, corners);
-                           }
-                           if (rim_reach > hair) return nearest_on_triangle(rim, corners);
-                           if (rim_reach < -hair) return nearest_on_triangle({0, 0, 0}, corners);
-                           return nearest_on_triangle_to_segment({0, 0, 0}, rim, corners);
-                       },
-                   },
-                   query.shape);
-    return local + moved;
+Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t) noexcept {
+    double margin = query.shape_slack;
+    for (const double slack : query.corner_slack) margin += 2 * slack;
+    // Moved out along the normal, so that it just touches; for a hit on the way that is a hair or less.
+    const double gap = plane.gap + t * plane.approach;
+    const Vec here = query.along * t;
+    const Vec touching = here - plane.normal * gap;
+    const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
+    Contact contact;
+    contact.corners = planes.touched_corners(plane.normal);
+    const Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
+    contact.point = point + touching;
+    const bool overlaps = gap < -margin;
+    if (overlaps && !is_in_shape(query.shape, contact.point - here, margin)) {
+        const Vec now[3] = {query.corners[0] - here, query.corners[1] - here, query.corners[2] - here};
+        const Vec deepest = deepest_on_triangle(query.shape, now, margin);
+        contact.point = deepest + here;
+        contact.corners = corners_about(now, deepest, margin);
+    }
+    return contact;
 }
 
 }  // namespace surefoot::internal

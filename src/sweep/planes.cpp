@@ -84,7 +84,8 @@ Plane Planes::steadiest_at(double t) const noexcept {
 }
 
 Plane Planes::shallowest() const noexcept {
-    // An ellipsoid's depth counts in squashed space, where a plane of the world with normal n is |radii n| times as far.
+    // An ellipsoid's depth counts in squashed space, where a plane of the world with normal n is |radii n| times as
+    // far.
     const bool squashed = std::holds_alternative<Ellipsoid>(query_.shape);
     const auto depth_of = [&](const Plane& plane) {
         return squashed ? -plane.gap / reach_against(query_.shape, plane.normal) : -plane.gap;

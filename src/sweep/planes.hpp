@@ -66,7 +66,8 @@ public:
     /// edge are met together, the face's normal is the steadier answer.
     [[nodiscard]] Plane steadiest_at(double t) const noexcept;
 
-    /// Of the planes that the motion closes on, the one with the least depth at `from`. Requires: a plane was considered.
+    /// Of the planes that the motion closes on, the one with the least depth at `from`. Requires: a plane was
+    /// considered.
     [[nodiscard]] Plane shallowest() const noexcept;
 
     /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.

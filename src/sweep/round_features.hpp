@@ -7,8 +7,8 @@
 //            o feature             |w| >= R: the line passes by, and w itself separates
 //
 // Solving for the normal instead of for t keeps all digits: no b^2 - 4 a c, in which a grazing motion loses half of
-// them. R is the radius inflated by a hair, so that a motion that barely touches still meets it at an angle that doubles
-// can hold. Within that hair of grazing all three normals are proposed: the plane of w may yet prove a miss.
+// them. R is the radius inflated by a hair, so that a motion that barely touches still meets it at an angle that
+// doubles can hold. Within that hair of grazing all three normals are proposed: the plane of w may yet prove a miss.
 #pragma once
 
 #include "sweep/query.hpp"
@@ -24,7 +24,8 @@ struct RoundNormals {
 
 /// The normals of a pass: `closest` points from the feature to the closest approach, `onward` is the unit direction of
 /// motion perpendicular to it, `extent` the size of the numbers they were made from.
-[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double extent) noexcept;
+[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius,
+                                           double extent) noexcept;
 
 /// `point` relative to the ball's centre at `from`; `along` its motion; all in a space where the ball is round.
 [[nodiscard]] RoundNormals ball_against_point(const Vec& point, const Vec& along, double radius) noexcept;

@@ -26,12 +26,13 @@ void propose_standing(const SweepQuery& query, Planes& planes) noexcept {
     propose(standing, planes);
 }
 
-Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Plane& plane,
-             const unsigned corners, double t) noexcept {
+Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Planes& planes,
+             const Plane& plane, double t) noexcept {
+    const Contact contact = contact_of(query, planes, plane, t);
     Hit hit;
     hit.t = t;
     hit.triangle = query.triangle_id;
-    hit.feature = feature_of(query, corners);
+    hit.feature = feature_of(query, contact.corners);
     const Vec normal = has_fault(Fault::mirrored_normal) ? -plane.normal : plane.normal;
     const Vec zero;
     hit.normal = to_dvec3(query.frame.to_world(normal) + zero);  // no -0 to puzzle a reader
@@ -40,20 +41,14 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
             hit.normal = to_dvec3(query.frame.to_world(unit(multiply_each(normal, to_vec(ellipsoid->radii)))));
         }
     }
+    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(contact.point));
     const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
     for (unsigned i = 0; i < 3; ++i) {
         // A vertex is reported as the caller's own numbers.
-        if (hit.feature == Feature::vertex && (corners & (1U << i)) != 0) {
+        if (hit.feature == Feature::vertex && (contact.corners & (1U << i)) != 0) {
             hit.point = *world[query.original[i]];
-            return hit;
         }
     }
-    // A shape that overlaps is first moved out along the normal: the point is where it would just touch. For round shapes
-    // that is the same point as before, and an ellipsoid's way out is not along the normal.
-    const bool is_round = std::holds_alternative<Sphere>(query.shape) || std::holds_alternative<Ellipsoid>(query.shape);
-    const Vec out = is_round ? Vec{} : plane.normal * -(plane.gap + t * plane.approach);
-    const Vec local = contact_point(query, query.along * t + out, plane.normal);
-    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(local));
     return hit;
 }
 
@@ -83,8 +78,7 @@ std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume,
         return hit;
     }
     if (approach == Approach::no_closer && !has_fault(Fault::start_in_touch_always_blocks)) return std::nullopt;
-    const Plane plane = planes.shallowest();
-    Hit hit = describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), 0);
+    Hit hit = describe(query, triangle, motion, planes, planes.shallowest(), 0);
     hit.started_inside = planes.starts_inside();
     return hit;
 }
@@ -112,8 +106,7 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     double t = smaller(1, planes.time_of_last());
     if (has_fault(Fault::one_ulp_late)) t += t * 0x1p-52;
     if (has_fault(Fault::padding_along_velocity)) t = larger(0, t - 0.001 / length(query.along));
-    const Plane plane = planes.steadiest_at(t);
-    return describe(query, triangle, motion, plane, planes.touched_corners(plane.normal), t);
+    return describe(query, triangle, motion, planes, planes.steadiest_at(t), t);
 }
 
 }  // namespace

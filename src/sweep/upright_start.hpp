@@ -56,8 +56,8 @@ public:
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const Plane& plane(int i) const noexcept { return planes_[i]; }
 
-    /// The combination of two planes that is perpendicular to the motion. Of a plane and its opposite nothing is left but
-    /// rounding, so the approach of what comes out must be looked at too.
+    /// The combination of two planes that is perpendicular to the motion. Of a plane and its opposite nothing is left
+    /// but rounding, so the approach of what comes out must be looked at too.
     [[nodiscard]] Plane combine(const Plane& closing, const Plane& opening) const noexcept {
         return make_plane(closing.normal * opening.approach - opening.normal * closing.approach);
     }
@@ -171,9 +171,10 @@ private:
         }
         // The points of the ellipse whose normal runs through the edge are those with
         //     a2 u^2 / (a2 + s)^2 + c2 v^2 / (c2 + s)^2 = 1.
-        // The largest root, right of -c2, is the nearest point. The next, between -a2 and -c2, is the nearest on the other
-        // side of the long axis; it counts where the triangle keeps the shape from leaving to the near side. Each start has
-        // one term equal to 1, which leaves the sum above 1 and the root on the side to which Newton's method moves.
+        // The largest root, right of -c2, is the nearest point. The next, between -a2 and -c2, is the nearest on the
+        // other side of the long axis; it counts where the triangle keeps the shape from leaving to the near side. Each
+        // start has one term equal to 1, which leaves the sum above 1 and the root on the side to which Newton's method
+        // moves.
         const Scalar abs_u = sign_of(u) < 0 ? -u : u;
         const Scalar abs_v = sign_of(v) < 0 ? -v : v;
         const Scalar c_v = square_root(c2) * abs_v;

@@ -1,0 +1,227 @@
+#include "sweep/deepest.hpp"
+
+#include "nearest.hpp"
+#include "overloaded.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+constexpr Vec axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+double clamp(double s, double low, double high) noexcept {
+    return s < low ? low : (s > high ? high : s);
+}
+
+double component(const Vec& v, int axis) noexcept {
+    return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
+}
+
+double sideways_length(const Vec& v) noexcept {
+    return std::sqrt(v.x * v.x + v.z * v.z);
+}
+
+// A convex polygon: a triangle clipped by up to six planes.
+struct Polygon {
+    Vec points[12];
+    int count = 0;
+};
+
+// What lies at or below `bound` along the axis (Sutherland and Hodgman).
+Polygon clipped(const Polygon& polygon, const Vec& axis, double bound) noexcept {
+    Polygon result;
+    for (int i = 0; i < polygon.count; ++i) {
+        const Vec& here = polygon.points[i];
+        const Vec& next = polygon.points[(i + 1) % polygon.count];
+        const double over = dot(here, axis) - bound;
+        const double over_next = dot(next, axis) - bound;
+        if (over <= 0 && result.count < 12) result.points[result.count++] = here;
+        if (((over < 0 && over_next > 0) || (over > 0 && over_next < 0)) && result.count < 12) {
+            result.points[result.count++] = here + (next - here) * (over / (over - over_next));
+        }
+    }
+    return result;
+}
+
+Polygon clipped_between(const Vec (&corners)[3], const Vec& axis, double low, double high) noexcept {
+    const Polygon whole{{corners[0], corners[1], corners[2]}, 3};
+    return clipped(clipped(whole, axis, high), -axis, -low);
+}
+
+// The part of a segment, as shares, whose coordinate along an axis lies in [low, high].
+struct Shares {
+    double from = 0;
+    double to = 1;
+
+    void keep(double start, double along, double low, double high) noexcept {
+        if (along == 0) return;
+        const double a = (low - start) / along;
+        const double b = (high - start) / along;
+        from = larger(from, smaller(a, b));
+        to = smaller(to, larger(a, b));
+    }
+    // An empty part is the point where it vanishes.
+    [[nodiscard]] double clamp_to(double share) const noexcept {
+        return from <= to ? clamp(share, from, to) : clamp((from + to) / 2, 0, 1);
+    }
+};
+
+// The share at which the line a + s d is nearest to the Y axis.
+double nearest_to_axis(const Vec& a, const Vec& d) noexcept {
+    const double size = d.x * d.x + d.z * d.z;
+    return size > 0 ? -(a.x * d.x + a.z * d.z) / size : 0.5;
+}
+
+double in_cylinder(const Cylinder& cylinder, const Vec& a, const Vec& d, double margin) noexcept {
+    Shares shares;
+    shares.keep(a.y, d.y, -cylinder.half_height - margin, cylinder.half_height + margin);
+    return shares.clamp_to(nearest_to_axis(a, d));
+}
+
+// Least |p_h| - k p.y along the line: with m the line's distance from the axis, w and e.y its pace sideways and up, at
+// s = k e.y m / (w sqrt(w^2 - k^2 e.y^2)) past the nearest point, if it climbs less than the cone's side.
+double in_cone(const Cone& cone, const Vec& a, const Vec& d, double margin) noexcept {
+    Shares shares;
+    shares.keep(a.y, d.y, -margin, cone.height + margin);
+    const double k = cone.radius / cone.height;
+    const double w = sideways_length(d);
+    const double climb = k * d.y;
+    if (w <= absolute(climb)) return shares.clamp_to(climb > 0 ? 1 : 0);
+    const double nearest = nearest_to_axis(a, d);
+    const double m = sideways_length(a + d * nearest);
+    const double past = climb * m / (w * std::sqrt((w - climb) * (w + climb)));
+    return shares.clamp_to(nearest + past);
+}
+
+double in_box(const Box& box, const Vec& a, const Vec& d, double margin) noexcept {
+    Shares shares;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double bound = component(to_vec(box.half_extents), axis) + margin;
+        shares.keep(component(a, axis), component(d, axis), -bound, bound);
+    }
+    return clamp((shares.from + shares.to) / 2, 0, 1);
+}
+
+double height_in_cone(const Cone& cone, const Vec& p) noexcept {
+    return sideways_length(p) - cone.radius / cone.height * p.y;
+}
+
+// Of the polygon's edges and, for the axis that runs through it, of the crossing: the point with the least `measure`.
+template <typename OnEdge, typename Measure>
+Vec least_on_polygon(const Polygon& polygon, const Vec& fallback, const OnEdge& on_edge,
+                     const Measure& measure) noexcept {
+    if (polygon.count == 0) return fallback;
+    Vec best = polygon.points[0];
+    const auto keep = [&](const Vec& p) {
+        if (measure(p) < measure(best)) best = p;
+    };
+    for (int i = 0; i < polygon.count; ++i) {
+        const Vec& a = polygon.points[i];
+        const Vec d = polygon.points[(i + 1) % polygon.count] - a;
+        keep(a + d * on_edge(a, d));
+    }
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+        const Vec fan[3] = {polygon.points[0], polygon.points[i], polygon.points[i + 1]};
+        const Vec normal = cross(fan[1] - fan[0], fan[2] - fan[0]);
+        if (normal.y == 0) continue;
+        const Vec crossing{0, dot(normal, fan[0]) / normal.y, 0};
+        const Vec inside = nearest_on_triangle(crossing, fan);
+        if (measure(inside) < measure(best)) best = inside;
+    }
+    return best;
+}
+
+}  // namespace
+
+Vec deepest_on_segment(const Shape& shape, const Vec& a, const Vec& b, double margin) noexcept {
+    const Vec d = b - a;
+    return std::visit(Overloaded{
+                          [&](const Sphere&) { return nearest_on_segment({}, a, b); },
+                          [&](const Ellipsoid& ellipsoid) {
+                              const Vec radii = to_vec(ellipsoid.radii);
+                              return multiply_each(nearest_on_segment({}, divide_each(a, radii), divide_each(b, radii)),
+                                                   radii);
+                          },
+                          [&](const Capsule& capsule) {
+                              const Vec up{0, capsule.half_height, 0};
+                              const Vec twice[3] = {a, b, b};
+                              return nearest_on_triangle_to_segment(-up, up, twice);
+                          },
+                          [&](const Box& box) { return a + d * in_box(box, a, d, margin); },
+                          [&](const Cylinder& cylinder) { return a + d * in_cylinder(cylinder, a, d, margin); },
+                          [&](const Cone& cone) { return a + d * in_cone(cone, a, d, margin); },
+                      },
+                      shape);
+}
+
+Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double margin) noexcept {
+    return std::visit(Overloaded{
+                          [&](const Sphere&) { return nearest_on_triangle({}, corners); },
+                          [&](const Ellipsoid& ellipsoid) {
+                              const Vec radii = to_vec(ellipsoid.radii);
+                              const Vec squashed[3] = {divide_each(corners[0], radii), divide_each(corners[1], radii),
+                                                       divide_each(corners[2], radii)};
+                              return multiply_each(nearest_on_triangle({}, squashed), radii);
+                          },
+                          [&](const Capsule& capsule) {
+                              const Vec up{0, capsule.half_height, 0};
+                              return nearest_on_triangle_to_segment(-up, up, corners);
+                          },
+                          [&](const Box& box) {
+                              Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
+                              for (const Vec& axis : axes) {
+                                  const double bound = dot(to_vec(box.half_extents), axis) + margin;
+                                  polygon = clipped(clipped(polygon, axis, bound), -axis, bound);
+                              }
+                              if (polygon.count == 0) return nearest_on_triangle({}, corners);
+                              Vec middle;
+                              for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.points[i];
+                              return middle / polygon.count;
+                          },
+                          [&](const Cylinder& cylinder) {
+                              const double bound = cylinder.half_height + margin;
+                              return least_on_polygon(
+                                  clipped_between(corners, axes[1], -bound, bound), nearest_on_triangle({}, corners),
+                                  [](const Vec& a, const Vec& along) { return clamp(nearest_to_axis(a, along), 0, 1); },
+                                  sideways_length);
+                          },
+                          [&](const Cone& cone) {
+                              return least_on_polygon(
+                                  clipped_between(corners, axes[1], -margin, cone.height + margin),
+                                  nearest_on_triangle({0, cone.height / 2, 0}, corners),
+                                  [&](const Vec& a, const Vec& along) { return in_cone(cone, a, along, margin); },
+                                  [&](const Vec& p) { return height_in_cone(cone, p); });
+                          },
+                      },
+                      shape);
+}
+
+bool is_in_shape(const Shape& shape, const Vec& p, double margin) noexcept {
+    return std::visit(Overloaded{
+                          [&](const Sphere& sphere) { return length(p) <= sphere.radius + margin; },
+                          [&](const Ellipsoid& ellipsoid) {
+                              // The margin along the longest radius, where it counts the least.
+                              const Vec radii = to_vec(ellipsoid.radii);
+                              return length(divide_each(p, radii)) <= 1 + margin / largest(radii);
+                          },
+                          [&](const Capsule& capsule) {
+                              const Vec up{0, capsule.half_height, 0};
+                              return length(p - nearest_on_segment(p, -up, up)) <= capsule.radius + margin;
+                          },
+                          [&](const Box& box) {
+                              const Vec half = to_vec(box.half_extents);
+                              return absolute(p.x) <= half.x + margin && absolute(p.y) <= half.y + margin &&
+                                     absolute(p.z) <= half.z + margin;
+                          },
+                          [&](const Cylinder& cylinder) {
+                              return absolute(p.y) <= cylinder.half_height + margin &&
+                                     sideways_length(p) <= cylinder.radius + margin;
+                          },
+                          [&](const Cone& cone) {
+                              return p.y >= -margin && p.y <= cone.height + margin && height_in_cone(cone, p) <= margin;
+                          },
+                      },
+                      shape);
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,18 @@
+// Which point of a segment or of a triangle is deepest in a shape, or nearest to it. All in the shape's frame, with the
+// reference point at the origin. Closed forms; where a shape is flat and many points are as deep, one in their middle.
+#pragma once
+
+#include <surefoot/shapes.hpp>
+
+#include "vec.hpp"
+
+namespace surefoot::internal {
+
+/// `margin`: how far outside counts as in touch [m].
+[[nodiscard]] Vec deepest_on_segment(const Shape& shape, const Vec& a, const Vec& b, double margin) noexcept;
+[[nodiscard]] Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double margin) noexcept;
+
+/// Is the point in the shape, or outside by no more than the margin?
+[[nodiscard]] bool is_in_shape(const Shape& shape, const Vec& point, double margin) noexcept;
+
+}  // namespace surefoot::internal
