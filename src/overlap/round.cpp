@@ -7,9 +7,9 @@
 //
 // Ellipsoid: divide by the radii. There it is a unit ball; with d and u as above the ball leaves along (1 - d) u, and
 // stretched back that is the move R (1 - d) u, after which shape and triangle touch in the same point as the ball does.
-// How much longer than the shortest move: any move of length L in the world is at least L / r_max long when squashed,
-// and 1 - d is the shortest there; so L_shortest >= ... the squashed length of every way out is >= 1 - d, hence
-// L_shortest >= r_min (1 - d), while |R (1 - d) u| <= r_max (1 - d): at most r_max / r_min times the shortest.
+// How much longer than the shortest: 1 - d is the shortest way out when squashed, and a way of length L in the world is
+// at most L / r_min long there, so every way out has L >= r_min (1 - d), while |R (1 - d) u| <= r_max (1 - d): at most
+// r_max / r_min times the shortest.
 #include "overlap/closest.hpp"
 #include "overlap/ways.hpp"
 

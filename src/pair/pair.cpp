@@ -1,7 +1,7 @@
-#include <cstring>
 
 #include <surefoot/pair.hpp>
 
+#include "exact/products.hpp"
 #include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "overloaded.hpp"
@@ -100,22 +100,25 @@ bool has_closest(const Shape& shape) noexcept {
 // Where two shapes touch that are all but touching, relative to the second. Alternating projections, from a middle: for
 // faces that lie on each other that finds the point below it and not some corner. Where two round sides make that slow,
 // and for shapes without a closed projection, GJK.
-Vec touching_point(const Relative& r, const Vec& x, const Vec& normal) noexcept {
+Vec touching_point(const Relative& r, const Vec& x) noexcept {
     const Placed& a = r.pair.a;
     const Placed& b = r.pair.b;
-    const Vec ball = normal * b.radius();
+    // Balls keep the cores apart, so that the way from one to the other is known well.
+    const auto on_ball = [&](const Vec& on_a, const Vec& on_b) noexcept {
+        return b.radius() > 0 ? on_b + unit(on_a - on_b) * b.radius() : on_b;
+    };
     if (has_closest(a.shape()) && has_closest(b.shape())) {
+        const double touching = a.radius() + b.radius() + 4 * r.hair;
         const bool from_b = std::holds_alternative<Box>(a.shape()) && !std::holds_alternative<Box>(b.shape());
         Vec on_b = b.closest_of_core(from_b ? x + a.closest_of_core(-x) : x);
         for (int i = 0; i < 8; ++i) {
             const Vec on_a = x + a.closest_of_core(on_b - x);
-            const Vec next = b.closest_of_core(on_a);
-            const bool settled = largest(next - on_b) <= r.hair;
-            on_b = next;
-            if (settled) return on_b + ball;
+            on_b = b.closest_of_core(on_a);
+            if (length(on_a - on_b) <= touching) return on_ball(on_a, on_b);
         }
     }
-    return GeneralPair(r.pair, r.hair).closest_at(x).on_b + ball;
+    const Closest closest = GeneralPair(r.pair, r.hair).closest_at(x);
+    return on_ball(closest.on_a, closest.on_b);
 }
 
 // `at` is where the caller's second shape is.
@@ -163,7 +166,7 @@ std::optional<PairOverlap> pair_overlap(const Volume& a, const dvec3& position_a
     result.normal = normal_to_caller(r, gap.normal);
     // Parted, seen from the one that stays: for the caller that is his second shape.
     const Vec parted = r.x + gap.normal * result.depth;
-    result.point = to_caller(r, parted, touching_point(r, parted, gap.normal), to_vec(position_b));
+    result.point = to_caller(r, parted, touching_point(r, parted), to_vec(position_b));
     return result;
 }
 
@@ -202,7 +205,7 @@ std::optional<PairHit> pair_sweep(const Volume& a, const Motion& motion_a, const
     hit.normal = normal_to_caller(r, advanced.gap.normal);
     hit.started_inside = advanced.outcome == Advance::Outcome::starts_touching;
     const Vec x = r.x + r.motion * hit.t;
-    hit.point = to_caller(r, x, touching_point(r, x, advanced.gap.normal), to_vec(motion_b.from) + motion_of_b * hit.t);
+    hit.point = to_caller(r, x, touching_point(r, x), to_vec(motion_b.from) + motion_of_b * hit.t);
     return hit;
 }
 
