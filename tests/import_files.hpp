@@ -1,4 +1,4 @@
-/// Small level files, written by the tests that read them.
+/// Small level files, written by the tests that read them, and how they are read.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <surefoot/import.hpp>
 
 namespace surefoot::test {
 
@@ -86,6 +89,30 @@ inline std::string gltf(const std::string& nodes, const std::string& roots, cons
            R"("bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],)"
            R"("buffers":[{"byteLength":60)" +
            (uri.empty() ? "" : R"(,"uri":")" + uri + '"') + "}]" + more + "}";
+}
+
+using Vertices = std::vector<vec3>;
+
+inline ImportedLevel good(const std::string& path, const ImportOptions& options = {}) {
+    auto level = import_level(path, options);
+    EXPECT_TRUE(level.has_value()) << (level ? "" : level.error().text);
+    return level ? *level : ImportedLevel{};
+}
+
+inline Error refused(const std::string& path, const ImportOptions& options = {}) {
+    auto level = import_level(path, options);
+    EXPECT_FALSE(level.has_value()) << path << " was read";
+    if (level) return {};
+    EXPECT_EQ(level.error().file, path);
+    EXPECT_EQ(level.error().text.substr(0, path.size() + 2), path + ": ");
+    return level.error();
+}
+
+/// The corners of every triangle, in order: what a format may not change, whatever it does to the list of vertices.
+inline Vertices corners(const ImportedLevel& level) {
+    Vertices all;
+    for (const std::uint32_t i : level.indices) all.push_back(level.vertices[i]);
+    return all;
 }
 
 }  // namespace surefoot::test

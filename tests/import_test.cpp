@@ -1,44 +1,27 @@
 #include <chrono>
-#include <cstdlib>
+#include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <string>
 #include <sys/stat.h>
 
 #include <surefoot/import.hpp>
 
+#include "import_blend_file.hpp"
 #include "import_files.hpp"
 
 namespace surefoot {
 namespace {
 
+using test::corners;
 using test::Folder;
 using test::glb;
 using test::gltf;
 using test::gltf_buffer;
+using test::good;
+using test::refused;
+using test::Vertices;
 using Indices = std::vector<std::uint32_t>;
-using Vertices = std::vector<vec3>;
-
-ImportedLevel good(const std::string& path, const ImportOptions& options = {}) {
-    auto level = import_level(path, options);
-    EXPECT_TRUE(level.has_value()) << (level ? "" : level.error().text);
-    return level ? *level : ImportedLevel{};
-}
-
-Error refused(const std::string& path, const ImportOptions& options = {}) {
-    auto level = import_level(path, options);
-    EXPECT_FALSE(level.has_value()) << path << " was read";
-    if (level) return {};
-    EXPECT_EQ(level.error().file, path);
-    EXPECT_EQ(level.error().text.substr(0, path.size() + 2), path + ": ");
-    return level.error();
-}
-
-/// The corners of every triangle, in order: what a format may not change, whatever it does to the list of vertices.
-Vertices corners(const ImportedLevel& level) {
-    Vertices all;
-    for (const std::uint32_t i : level.indices) all.push_back(level.vertices[i]);
-    return all;
-}
 
 const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -178,6 +161,19 @@ TEST(Import, extras_become_markers_with_the_pose_of_their_node) {
     EXPECT_EQ(corners(small)[2], vec3(0, 0, -0.5f));
 }
 
+TEST(Import, an_old_blend_is_read_with_z_up) {
+    const Folder folder;
+    const ImportedLevel level = good(folder.write("level.blend", test::old_blend()));
+    EXPECT_EQ(corners(level),
+              (Vertices{{10, 30, -20}, {14, 30, -20}, {14, 30, -23}, {10, 30, -20}, {14, 30, -23}, {10, 30.5f, -23}}));
+    EXPECT_EQ(level.surface_names, (std::vector<std::string>{"", "wood"}));
+    ASSERT_EQ(level.parts.size(), 1u);
+    EXPECT_EQ(level.parts[0].name, "floor");
+    ASSERT_EQ(level.markers.size(), 1u);
+    EXPECT_EQ(level.markers[0].name, "start");
+    EXPECT_EQ(level.markers[0].position, dvec3(10, 30, -20));
+}
+
 TEST(Import, options_out_of_range_are_refused) {
     const Folder folder;
     const std::string path = folder.write("level.obj", obj);
@@ -256,83 +252,6 @@ TEST(Import, a_gltf_whose_nodes_go_round_in_a_circle_does_no_harm) {
     const std::string nodes =
         R"({"mesh":0},{"name":"a","extras":{},"children":[2]},{"name":"b","extras":{},"children":[1]})";
     static_cast<void>(import_level(folder.write("circle.glb", glb(gltf(nodes, "0,1"), gltf_buffer()))));
-}
-
-// What follows puts other programs in the place of the reader.
-
-class ImportChild : public testing::Test {
-protected:
-    Error run(const std::string& script, ImportOptions options = {}) {
-        options.importer = folder_.write_program("reader", script);
-        return refused(level_, options);
-    }
-
-    Folder folder_;
-    std::string level_ = folder_.write("level.glb", glb(gltf(R"({"mesh":0})", "0"), gltf_buffer()));
-};
-
-TEST_F(ImportChild, a_crash_becomes_an_error) {
-    const Error error = run("kill -SEGV $$");
-    EXPECT_EQ(error.code, ErrorCode::unreadable);
-    EXPECT_NE(error.text.find("crashed (Segmentation fault)"), std::string::npos) << error.text;
-}
-
-TEST_F(ImportChild, a_hang_becomes_an_error_and_leaves_nothing_running) {
-    const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(run("sleep 1000 & sleep 1000", {.time_limit = 0.3}).code, ErrorCode::limit);
-    EXPECT_EQ(run("exec >&-; sleep 1000", {.time_limit = 0.3}).code, ErrorCode::limit);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
-}
-
-TEST_F(ImportChild, endless_output_becomes_an_error) {
-    EXPECT_EQ(run("cat /dev/zero", {.memory_limit = std::uint64_t{16} << 20}).code, ErrorCode::limit);
-}
-
-TEST_F(ImportChild, an_answer_that_makes_no_sense_becomes_an_error) {
-    EXPECT_EQ(run("echo hello").code, ErrorCode::unreadable);
-    EXPECT_EQ(run("exit 7").code, ErrorCode::unreadable);
-    EXPECT_EQ(run("printf surefoot-reply-1").code, ErrorCode::unreadable);
-}
-
-TEST_F(ImportChild, memory_is_limited) {
-    std::string buffer = gltf_buffer();
-    // 40,000 nodes share one mesh of 30,000 triangles: a small file, 43 GB of level.
-    std::string nodes = R"({"mesh":0})";
-    std::string roots = "0";
-    for (int i = 1; i < 40'000; ++i) {
-        nodes += R"(,{"mesh":0})";
-        roots.append(",").append(std::to_string(i));
-    }
-    std::string text = gltf(nodes, roots);
-    text.replace(text.find("\"count\":6"), 9, "\"count\":90000");
-    text.replace(text.find("\"byteOffset\":48,\"byteLength\":12"), 31, "\"byteOffset\":48,\"byteLength\":180000");
-    text.replace(text.find("\"byteLength\":60"), 15, "\"byteLength\":180048");
-    buffer.resize(48 + 180'000);
-    const std::string bomb = folder_.write("bomb.glb", glb(text, buffer));
-    const Error error = refused(bomb, {.memory_limit = std::uint64_t{256} << 20});
-    EXPECT_EQ(error.code, ErrorCode::limit) << error.text;
-    EXPECT_NE(error.text.find("memory_limit"), std::string::npos) << error.text;
-}
-
-TEST_F(ImportChild, a_missing_helper_is_named_with_the_cure) {
-    const Error error = refused(level_, {.importer = "/nowhere/surefoot-importer"});
-    EXPECT_EQ(error.code, ErrorCode::unsupported);
-    EXPECT_NE(error.text.find("/nowhere/surefoot-importer"), std::string::npos);
-    ASSERT_EQ(setenv("SUREFOOT_IMPORTER", "/nowhere/else", 1), 0);
-    const Error from_environment = refused(level_);
-    unsetenv("SUREFOOT_IMPORTER");
-    EXPECT_EQ(from_environment.code, ErrorCode::unsupported);
-    EXPECT_NE(from_environment.text.find("SUREFOOT_IMPORTER"), std::string::npos);
-}
-
-TEST_F(ImportChild, a_current_blend_without_blender_says_what_to_install) {
-    ASSERT_EQ(setenv("SUREFOOT_BLENDER", "/nowhere/blender", 1), 0);
-    const Error plain = refused(folder_.write("new.blend", "BLENDER-v304REND"));
-    const Error packed = refused(folder_.write("packed.blend", "\x28\xb5\x2f\xfd and so on"));
-    unsetenv("SUREFOOT_BLENDER");
-    EXPECT_EQ(plain.code, ErrorCode::unsupported);
-    EXPECT_EQ(packed.code, ErrorCode::unsupported);
-    EXPECT_NE(plain.text.find(".glb"), std::string::npos);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ glm::dmat4 matrix_of(const aiMatrix4x4& m) {
 
 class SceneWalker {
 public:
-    SceneWalker(const aiScene& scene, const Placement& placement, const GltfExtras* gltf)
-        : scene_(scene), placement_(placement), gltf_(gltf), builder_(internal::ReadLimits{}) {}
+    SceneWalker(const aiScene& scene, const Placement& placement, const GltfExtras* gltf, std::uint64_t bytes)
+        : scene_(scene), placement_(placement), gltf_(gltf), builder_(internal::ReadLimits{.bytes = bytes}) {}
 
     Expected<ImportedLevel> walk() {
         if (scene_.mRootNode != nullptr) {
@@ -199,7 +199,7 @@ bool ends_in_gltf(const std::string& path) {
 
 }  // namespace
 
-Expected<ImportedLevel> read_with_assimp(const std::string& path, const Placement& placement) {
+Expected<ImportedLevel> read_with_assimp(const std::string& path, const Placement& placement, std::uint64_t bytes) {
     std::optional<GltfExtras> gltf;
     if (ends_in_gltf(path)) {
         auto extras = read_gltf_extras(path, placement);
@@ -216,7 +216,7 @@ Expected<ImportedLevel> read_with_assimp(const std::string& path, const Placemen
                                             "\"; open the file in the program that made it and export it as .glb",
                                     .file = {}});
     }
-    return SceneWalker(*scene, placement, gltf ? &*gltf : nullptr).walk();
+    return SceneWalker(*scene, placement, gltf ? &*gltf : nullptr, bytes).walk();
 }
 
 }  // namespace surefoot::importer

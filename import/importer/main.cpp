@@ -55,11 +55,12 @@ int read_level(std::span<char*> arguments) {
     const auto up = parse_axis(arguments[2]);
     if (!up || !(scale > 0)) return 2;
     last_words();
-    limit_memory(std::strtoull(arguments[3], nullptr, 10));
+    const std::uint64_t bytes = std::strtoull(arguments[3], nullptr, 10);
+    limit_memory(bytes);
     limit_time(std::strtoull(arguments[4], nullptr, 10));
     std::set_new_handler(out_of_memory);
 
-    const Expected<ImportedLevel> level = read_with_assimp(path, {.scale = scale, .up = *up});
+    const Expected<ImportedLevel> level = read_with_assimp(path, {.scale = scale, .up = *up}, bytes);
     return write_all(level ? internal::encode_level(*level) : internal::encode_error(level.error())) ? 0 : 3;
 }
 
