@@ -20,7 +20,8 @@ enum class HitStatus : std::uint8_t {
     overflow,  ///< a stated bound on the work was exceeded: blocked
 };
 
-/// The first touch of a moving shape.
+/// The first touch of a moving shape. Where a shape starts so deep in a triangle that the part of it that must be left
+/// behind is outside the shape, `point` is the deepest point of the triangle instead of a point of that part.
 struct Hit {
     double t = 0;                      ///< time of first touch [0 at `from`, 1 at `to`]
     dvec3 point{0, 0, 0};              ///< a point of the triangle where they touch [m]

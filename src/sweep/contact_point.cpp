@@ -1,23 +1,10 @@
 #include "sweep/contact_point.hpp"
 
-#include "nearest.hpp"
 #include "sweep/deepest.hpp"
 
 namespace surefoot::internal {
 
 namespace {
-
-// The corners whose part of the triangle holds the point: one, two or all three.
-unsigned corners_about(const Vec (&corners)[3], const Vec& point, double margin) noexcept {
-    for (unsigned i = 0; i < 3; ++i) {
-        if (length(corners[i] - point) <= margin) return 1U << i;
-    }
-    for (unsigned i = 0; i < 3; ++i) {
-        const unsigned j = (i + 1) % 3;
-        if (length(nearest_on_segment(point, corners[i], corners[j]) - point) <= margin) return 1U << i | 1U << j;
-    }
-    return 7;
-}
 
 // On the part of the triangle that the plane touches.
 Vec point_on_part(const Shape& shape, const Vec (&corners)[3], unsigned part, double margin) noexcept {
@@ -32,8 +19,7 @@ Vec point_on_part(const Shape& shape, const Vec (&corners)[3], unsigned part, do
 }  // namespace
 
 Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t) noexcept {
-    double margin = query.shape_slack;
-    for (const double slack : query.corner_slack) margin += 2 * slack;
+    const double margin = planes.hair();
     // Moved out along the normal, so that it just touches; for a hit on the way that is a hair or less.
     const double gap = plane.gap + t * plane.approach;
     const Vec here = query.along * t;
@@ -46,9 +32,8 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     const bool overlaps = gap < -margin;
     if (overlaps && !is_in_shape(query.shape, contact.point - here, margin)) {
         const Vec now[3] = {query.corners[0] - here, query.corners[1] - here, query.corners[2] - here};
-        const Vec deepest = deepest_on_triangle(query.shape, now, margin);
-        contact.point = deepest + here;
-        contact.corners = corners_about(now, deepest, margin);
+        contact.point = deepest_on_triangle(query.shape, now, margin) + here;
+        contact.is_on_part = false;
     }
     return contact;
 }

@@ -6,12 +6,13 @@
 namespace surefoot::internal {
 
 struct Contact {
-    Vec point;             ///< in the shape's frame, relative to `from`
-    unsigned corners = 7;  ///< which corners of the triangle span the part that holds the point (bits, canonical order)
+    Vec point;               ///< in the shape's frame, relative to `from`
+    unsigned corners = 7;    ///< the corners of the part of the triangle that the plane touches (bits, canonical order)
+    bool is_on_part = true;  ///< is the point on that part?
 };
 
-/// A point of the triangle where the shape touches it at `t`, and the part of the triangle it is on: where the plane
-/// touches the triangle, or, for a shape so deep in the triangle that this is outside the shape, the deepest point.
+/// Where the shape touches the triangle at `t`: a point of the part that the plane touches or, for a shape so deep in
+/// the triangle that this part is outside the shape, the deepest point of the triangle.
 [[nodiscard]] Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t) noexcept;
 
 }  // namespace surefoot::internal

@@ -57,9 +57,8 @@ bool Planes::motion_is_free() noexcept {
 }
 
 bool Planes::starts_inside() const noexcept {
-    double half_hair = query_.shape_slack;
-    for (const double slack : query_.corner_slack) half_hair = larger(half_hair, slack);
-    half_hair = half_hair / 2;
+    double half_hair = query_.shape_slack / 2;
+    for (const double slack : query_.corner_slack) half_hair = larger(half_hair, slack / 2);
     for (const Plane& plane : all()) {
         if (plane.gap > -half_hair) return false;
     }
@@ -67,13 +66,12 @@ bool Planes::starts_inside() const noexcept {
 }
 
 Plane Planes::steadiest_at(double t) const noexcept {
-    double hair = 2 * query_.shape_slack;
-    for (const double slack : query_.corner_slack) hair += slack;
+    const double within = hair();
     Plane best = last_;
     int most = std::popcount(touched_corners(last_.normal));
     for (const Plane& plane : all()) {
         const double gap = plane.gap + t * plane.approach;
-        if (plane.approach >= 0 || gap < -hair || gap > hair) continue;
+        if (plane.approach >= 0 || gap < -within || gap > within) continue;
         const int touched = std::popcount(touched_corners(plane.normal));
         if (touched > most) {
             most = touched;
@@ -81,6 +79,12 @@ Plane Planes::steadiest_at(double t) const noexcept {
         }
     }
     return best;
+}
+
+double Planes::hair() const noexcept {
+    double total = 2 * query_.shape_slack;
+    for (const double slack : query_.corner_slack) total += slack;
+    return total;
 }
 
 Plane Planes::shallowest() const noexcept {
@@ -92,12 +96,15 @@ Plane Planes::shallowest() const noexcept {
     };
     const Plane* best = nullptr;
     for (const Plane& plane : all()) {
-        if (best == nullptr || (plane.approach < 0) > (best->approach < 0) ||
-            ((plane.approach < 0) == (best->approach < 0) && depth_of(plane) < depth_of(*best))) {
-            best = &plane;
-        }
+        if (best == nullptr || depth_of(plane) < depth_of(*best)) best = &plane;
     }
-    return best == nullptr ? Plane{} : *best;
+    if (best == nullptr) return {};
+    // Of several as near, the one that the motion closes on the fastest.
+    const double least = depth_of(*best) + hair() * (squashed ? 1 / reach_against(query_.shape, best->normal) : 1);
+    for (const Plane& plane : all()) {
+        if (depth_of(plane) <= least && plane.approach < best->approach) best = &plane;
+    }
+    return *best;
 }
 
 unsigned Planes::touched_corners(const Vec& normal) const noexcept {

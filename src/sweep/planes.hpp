@@ -75,6 +75,9 @@ public:
 
     [[nodiscard]] std::span<const Plane> all() const noexcept { return {planes_, static_cast<std::size_t>(count_)}; }
 
+    /// At least the rounding that any plane's gap may contain, once taken off and once more [m].
+    [[nodiscard]] double hair() const noexcept;
+
 private:
     void record(const Plane& plane, Verdict verdict, double t) noexcept;
 

@@ -45,7 +45,7 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
     const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
     for (unsigned i = 0; i < 3; ++i) {
         // A vertex is reported as the caller's own numbers.
-        if (hit.feature == Feature::vertex && (contact.corners & (1U << i)) != 0) {
+        if (hit.feature == Feature::vertex && contact.is_on_part && (contact.corners & (1U << i)) != 0) {
             hit.point = *world[query.original[i]];
         }
     }
