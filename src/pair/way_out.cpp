@@ -8,7 +8,7 @@ namespace {
 
 constexpr int most_turns = 40;
 constexpr int most_tries = 6;
-constexpr int start_count = 4;
+constexpr int start_count = 6;
 
 struct Start {
     Vec normal;

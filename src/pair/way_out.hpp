@@ -28,6 +28,15 @@ void visit_usual_normals(const PlacedPair& pair, const Vec& x, const Visit& visi
             offer(accurate_cross(pair.a.frame().to_world(of_a), pair.b.frame().to_world(of_b)));
     }
     offer(x);
+    // The sides of a cone, from eight of their directions.
+    constexpr double diagonal = 0.70710678118654752440;
+    const Vec around[8] = {{1, 0, 0},  {diagonal, 0, diagonal},   {0, 0, 1},  {-diagonal, 0, diagonal},
+                           {-1, 0, 0}, {-diagonal, 0, -diagonal}, {0, 0, -1}, {diagonal, 0, -diagonal}};
+    for (const Placed* placed : {&pair.a, &pair.b}) {
+        const auto* cone = std::get_if<Cone>(&placed->shape());
+        if (cone == nullptr) continue;
+        for (const Vec& u : around) offer(placed->frame().to_world(u * cone->height - Vec{0, cone->radius, 0}));
+    }
 }
 
 /// Does `motion` take the first shape deeper by more than `hair`? `gap` is the one at `x`. No, if one plane can be
