@@ -1,7 +1,10 @@
 // What must not change an answer: the unit of length, the order of the corners, where the origin is, a rotation of
 // everything, a cut through the triangle or the motion, and which way time runs.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include <surefoot/overlap.hpp>
 
 #include "judge/judge.hpp"
 #include "judge/runner.hpp"
@@ -48,6 +51,14 @@ Query scaled(Query query, double by) {
     return query;
 }
 
+/// Is a number so small, but not zero, that its products underflow?
+bool is_nearly_zero(const Query& query) {
+    for (const Vec* v : {&query.from, &query.to, &query.a, &query.b, &query.c})
+        for (const double part : {v->x, v->y, v->z})
+            if (part != 0 && std::fabs(part) < 1e-100) return true;
+    return false;
+}
+
 /// How far apart two answers to the same question may stop: each is within the hair of the truth.
 double hair(const Query& query) {
     return 2 * judge::allowed_gap * judge::largest(query);
@@ -61,28 +72,33 @@ void expect_same_stop(const Query& query, const Answer& one, double t_of_other) 
         << "t " << one.t << " and " << t_of_other;
 }
 
-/// Away from the hair: shape grown and shrunk a little answer alike, so rounding cannot decide between hit and no hit.
+/// Does the shape, a little grown, keep clear of the triangle while it stands there?
+bool is_free_at(Query query, const Vec& position) {
+    query.size = query.size * (1 + 1e-6);
+    const Volume volume(shape_from(query), dquat(query.qw, query.qx, query.qy, query.qz));
+    const Triangle triangle{position_from(query.a), position_from(query.b), position_from(query.c)};
+    return !overlap(volume, position_from(position), triangle);
+}
+
+/// Starts free and stays away from the hair: shape grown and shrunk a little answer alike, so that rounding cannot
+/// decide between hit and no hit.
 bool is_clear(const Query& query) {
-    bool hits[2] = {};
-    double times[2] = {};
-    int i = 0;
-    for (const double by : {1 - 1e-6, 1 + 1e-6}) {
+    if (!is_free_at(query, query.from)) return false;
+    Answer answers[2];
+    for (int i = 0; i < 2; ++i) {
         Query other = query;
-        other.size = query.size * by;
-        const Answer answer = ask(other);
-        hits[i] = answer.hit && answer.t > 0;
-        times[i++] = answer.t;
-        if (answer.hit && answer.t == 0) return false;
+        other.size = query.size * (i == 0 ? 1 - 1e-6 : 1 + 1e-6);
+        answers[i] = ask(other);
     }
-    return hits[0] == hits[1] && std::fabs(times[0] - times[1]) < 1e-3;
+    return answers[0].hit == answers[1].hit && std::fabs(answers[0].t - answers[1].t) < 1e-3;
 }
 
 TEST_P(EveryShape, a_power_of_two_of_the_unit_of_length_changes_no_bit) {
     for_many({"random", "tangent", "touching", "inside", "slivers", "shared"}, [](const Query& query, Draw& draw) {
         const double by = std::ldexp(1.0, draw.integer(-6, 6));
         const Query other = scaled(query, by);
-        // What is nearly zero would underflow, or leave the limits.
-        if (!judge::is_valid(other) || !judge::is_valid(query)) return;
+        // What would leave the limits, or underflow, is another question.
+        if (!judge::is_valid(other) || !judge::is_valid(query) || is_nearly_zero(query)) return;
         const Answer one = ask(query), two = ask(other);
         ASSERT_EQ(one.hit, two.hit);
         EXPECT_EQ(one.t, two.t);
@@ -191,17 +207,6 @@ TEST_P(EveryShape, with_clear_ends_the_way_back_hits_if_and_only_if_the_way_ther
         Query back = query;
         std::swap(back.from, back.to);
         if (!is_clear(query) || !is_clear(back)) return;
-        // Clear at both ends: standing at either, no way out of the triangle is needed.
-        for (const Vec& end : {query.from, query.to}) {
-            const Volume volume(shape_from(query), dquat(query.qw, query.qx, query.qy, query.qz));
-            Query still = query;
-            still.from = end;
-            for (const Vec& way :
-                 {Vec{1, 0, 0}, Vec{-1, 0, 0}, Vec{0, 1, 0}, Vec{0, -1, 0}, Vec{0, 0, 1}, Vec{0, 0, -1}}) {
-                still.to = end + way * (1e-9 * judge::reach_of(query));
-                if (ask(still).hit) return;
-            }
-        }
         EXPECT_EQ(ask(query).hit, ask(back).hit);
         ++compared;
     });
