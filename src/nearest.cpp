@@ -77,6 +77,14 @@ Vec nearest_on_triangle_to_segment(const Vec& from, const Vec& to, const Vec (&c
     };
     keep_nearer(nearest_on_triangle(from, corners), from);
     keep_nearer(nearest_on_triangle(to, corners), to);
+    const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double above = dot(from - corners[0], normal);
+    const double below = dot(to - corners[0], normal);
+    if ((above < 0) != (below < 0)) {
+        // The segment crosses the plane, perhaps through the face.
+        const Vec crossing = from + (to - from) * (above / (above - below));
+        keep_nearer(nearest_on_triangle(crossing, corners), crossing);
+    }
     for (int i = 0; i < 3; ++i) {
         const NearestPair pair = nearest_of_segments(corners[i], corners[(i + 1) % 3], from, to);
         keep_nearer(pair.on_first, pair.on_second);

@@ -72,25 +72,28 @@ double nearest_to_axis(const Vec& a, const Vec& d) noexcept {
     return size > 0 ? -(a.x * d.x + a.z * d.z) / size : 0.5;
 }
 
+// The share at which the line a + s d has the least |p_h| - k p.y: with m its distance from the axis, w and d.y its
+// pace sideways and up, at k d.y m / (w sqrt(w^2 - k^2 d.y^2)) past the nearest point, if it climbs less than the
+// cone's side.
+double deepest_in_cone(const Cone& cone, const Vec& a, const Vec& d) noexcept {
+    const double w = sideways_length(d);
+    const double climb = cone.radius / cone.height * d.y;
+    if (w <= absolute(climb)) return climb > 0 ? 1 : 0;
+    const double nearest = nearest_to_axis(a, d);
+    const double m = sideways_length(a + d * nearest);
+    return nearest + climb * m / (w * std::sqrt((w - climb) * (w + climb)));
+}
+
 double in_cylinder(const Cylinder& cylinder, const Vec& a, const Vec& d, double margin) noexcept {
     Shares shares;
     shares.keep(a.y, d.y, -cylinder.half_height - margin, cylinder.half_height + margin);
     return shares.clamp_to(nearest_to_axis(a, d));
 }
 
-// Least |p_h| - k p.y along the line: with m the line's distance from the axis, w and e.y its pace sideways and up, at
-// s = k e.y m / (w sqrt(w^2 - k^2 e.y^2)) past the nearest point, if it climbs less than the cone's side.
 double in_cone(const Cone& cone, const Vec& a, const Vec& d, double margin) noexcept {
     Shares shares;
     shares.keep(a.y, d.y, -margin, cone.height + margin);
-    const double k = cone.radius / cone.height;
-    const double w = sideways_length(d);
-    const double climb = k * d.y;
-    if (w <= absolute(climb)) return shares.clamp_to(climb > 0 ? 1 : 0);
-    const double nearest = nearest_to_axis(a, d);
-    const double m = sideways_length(a + d * nearest);
-    const double past = climb * m / (w * std::sqrt((w - climb) * (w + climb)));
-    return shares.clamp_to(nearest + past);
+    return shares.clamp_to(deepest_in_cone(cone, a, d));
 }
 
 double in_box(const Box& box, const Vec& a, const Vec& d, double margin) noexcept {
@@ -155,45 +158,46 @@ Vec deepest_on_segment(const Shape& shape, const Vec& a, const Vec& b, double ma
 }
 
 Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double margin) noexcept {
-    return std::visit(Overloaded{
-                          [&](const Sphere&) { return nearest_on_triangle({}, corners); },
-                          [&](const Ellipsoid& ellipsoid) {
-                              const Vec radii = to_vec(ellipsoid.radii);
-                              const Vec squashed[3] = {divide_each(corners[0], radii), divide_each(corners[1], radii),
-                                                       divide_each(corners[2], radii)};
-                              return multiply_each(nearest_on_triangle({}, squashed), radii);
-                          },
-                          [&](const Capsule& capsule) {
-                              const Vec up{0, capsule.half_height, 0};
-                              return nearest_on_triangle_to_segment(-up, up, corners);
-                          },
-                          [&](const Box& box) {
-                              Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
-                              for (const Vec& axis : axes) {
-                                  const double bound = dot(to_vec(box.half_extents), axis) + margin;
-                                  polygon = clipped(clipped(polygon, axis, bound), -axis, bound);
-                              }
-                              if (polygon.count == 0) return nearest_on_triangle({}, corners);
-                              Vec middle;
-                              for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.points[i];
-                              return middle / polygon.count;
-                          },
-                          [&](const Cylinder& cylinder) {
-                              const double bound = cylinder.half_height + margin;
-                              return least_on_polygon(
-                                  clipped_between(corners, axes[1], -bound, bound), nearest_on_triangle({}, corners),
-                                  [](const Vec& a, const Vec& along) { return clamp(nearest_to_axis(a, along), 0, 1); },
-                                  sideways_length);
-                          },
-                          [&](const Cone& cone) {
-                              return least_on_polygon(
-                                  clipped_between(corners, axes[1], -margin, cone.height + margin),
-                                  nearest_on_triangle({0, cone.height / 2, 0}, corners),
-                                  [&](const Vec& a, const Vec& along) { return in_cone(cone, a, along, margin); },
-                                  [&](const Vec& p) { return height_in_cone(cone, p); });
-                          },
-                      },
-                      shape);
+    return std::visit(
+        Overloaded{
+            [&](const Sphere&) { return nearest_on_triangle({}, corners); },
+            [&](const Ellipsoid& ellipsoid) {
+                const Vec radii = to_vec(ellipsoid.radii);
+                const Vec squashed[3] = {divide_each(corners[0], radii), divide_each(corners[1], radii),
+                                         divide_each(corners[2], radii)};
+                return multiply_each(nearest_on_triangle({}, squashed), radii);
+            },
+            [&](const Capsule& capsule) {
+                const Vec up{0, capsule.half_height, 0};
+                return nearest_on_triangle_to_segment(-up, up, corners);
+            },
+            [&](const Box& box) {
+                Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
+                for (const Vec& axis : axes) {
+                    const double bound = dot(to_vec(box.half_extents), axis) + margin;
+                    polygon = clipped(clipped(polygon, axis, bound), -axis, bound);
+                }
+                if (polygon.count == 0) return nearest_on_triangle({}, corners);
+                Vec middle;
+                for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.points[i];
+                return middle / polygon.count;
+            },
+            [&](const Cylinder& cylinder) {
+                const double bound = cylinder.half_height + margin;
+                return least_on_polygon(
+                    clipped_between(corners, axes[1], -bound, bound), nearest_on_triangle({}, corners),
+                    [](const Vec& a, const Vec& along) { return clamp(nearest_to_axis(a, along), 0, 1); },
+                    sideways_length);
+            },
+            [&](const Cone& cone) {
+                return least_on_polygon(
+                    clipped_between(corners, axes[1], -margin, cone.height + margin),
+                    nearest_on_triangle({0, cone.height / 2, 0}, corners),
+                    [&](const Vec& a, const Vec& along) { return clamp(deepest_in_cone(cone, a, along), 0, 1); },
+                    [&](const Vec& p) { return height_in_cone(cone, p); });
+            },
+        },
+        shape);
 }
 
 bool is_in_shape(const Shape& shape, const Vec& p, double margin) noexcept {

@@ -109,14 +109,15 @@ Plane Planes::shallowest() const noexcept {
 
 unsigned Planes::touched_corners(const Vec& normal) const noexcept {
     double heights[3];
-    double top = 0;
+    int highest = 0;
     for (int i = 0; i < 3; ++i) {
         heights[i] = dot(normal, query_.corners[i]);
-        if (i == 0 || heights[i] > top) top = heights[i];
+        if (heights[i] > heights[highest]) highest = i;
     }
     unsigned corners = 0;
-    for (unsigned i = 0; i < 3; ++i) {
-        if (heights[i] >= top - 4 * query_.corner_slack[i]) corners |= 1U << i;
+    for (int i = 0; i < 3; ++i) {
+        const double rounding = 4 * (query_.corner_slack[i] + query_.corner_slack[highest]);
+        if (heights[i] >= heights[highest] - rounding) corners |= 1U << i;
     }
     return corners;
 }

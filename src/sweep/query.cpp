@@ -10,8 +10,10 @@ namespace surefoot::internal {
 
 namespace {
 
+// A sphere has no orientation; not turning it saves its rounding.
 dquat orientation_used(const Volume& volume) noexcept {
-    return has_fault(Fault::squash_without_rotation) ? dquat(1, 0, 0, 0) : volume.orientation;
+    const bool is_sphere = std::holds_alternative<Sphere>(volume.shape);
+    return is_sphere || has_fault(Fault::squash_without_rotation) ? dquat(1, 0, 0, 0) : volume.orientation;
 }
 
 }  // namespace
