@@ -22,7 +22,8 @@ inline namespace v0 {
 
 /// Which axis of the file points up. Whatever it is, the imported level has +Y up and stays right-handed.
 enum class UpAxis : std::uint8_t {
-    by_format,  ///< what the format says or, where it says nothing, what is usual: +Z for .stl, .ply and .blend, else +Y
+    by_format,  ///< what the format says or, where it says nothing, what is usual: +Z for .stl, .ply and .blend, else
+                ///< +Y
     x,          ///< +X is up: (x, y, z) becomes (-y, x, z)
     y,          ///< +Y is up: nothing is turned
     z,          ///< +Z is up: (x, y, z) becomes (x, z, -y)
