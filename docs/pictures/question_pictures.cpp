@@ -227,7 +227,7 @@ std::string draw_miss() {
     const auto bar = [&](double begin, double end, double height, const char* words, bool before) {
         c.line({left + begin * width, height}, {left + end * width, height}, {.stroke = colour::plane, .width = 5});
         const double x = left + (before ? begin : end) * width;
-        c.text({before ? x : x, height - 9}, words,
+        c.text({x, height - 9}, words,
                {.size = 13, .fill = colour::plane, .anchor = before ? Anchor::start : Anchor::end});
     };
     bar(0, enters->t, y - 14, "the left side keeps them apart", true);

@@ -42,7 +42,11 @@ public:
             if (auto error = visit(*scene_.mRootNode, glm::dmat4(1))) return tl::unexpected(std::move(*error));
         }
         ImportedLevel level = builder_.take();
-        level.markers = gltf_ != nullptr ? gltf_->markers : std::move(empties_);
+        if (gltf_ != nullptr) {
+            level.markers = gltf_->markers;
+        } else {
+            level.markers = std::move(empties_);
+        }
         if (level.indices.empty()) {
             return tl::unexpected(Error{.code = ErrorCode::invalid,
                                         .text = "it has no triangles (" + std::to_string(level.notes.points_skipped) +
