@@ -37,7 +37,8 @@ void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes
 // the quadratic, then planes: the side normal at the root gives a plane whose time is at or before the true one, from
 // there the next normal. That is Newton's method from the left on a convex function: it cannot overshoot, and three
 // steps restore the digits that the closed form loses when the motion runs along the side.
-void consider_vertex(const SweepQuery& query, const Cone& cone, const Vec& corner, Planes& planes) noexcept {
+void consider_vertex(const SweepQuery& query, const Cone& cone, int vertex, Planes& planes) noexcept {
+    const Vec& corner = query.corners[vertex];
     const double k = cone.radius / cone.height;
     const Vec& along = query.along;
     const double along_h = std::sqrt(along.x * along.x + along.z * along.z);
@@ -79,7 +80,8 @@ void consider_vertex(const SweepQuery& query, const Cone& cone, const Vec& corne
     const double middle = -half / squared;
     const Vec z = corner - along * middle;
     const double z_h = std::sqrt(z.x * z.x + z.z * z.z);
-    const double lowered = absolute(z.y) + inflation_share * (norm1(corner) + cone.height);
+    const double side = std::sqrt(cone.radius * cone.radius + cone.height * cone.height);
+    const double lowered = absolute(z.y) + inflation * query.corner_hair(vertex) * side / cone.radius;
     const double value = (z_h - k * lowered) * (z_h + k * lowered);
     const double root_squared = -value / squared;
     if (root_squared < 0) return;
@@ -100,11 +102,12 @@ void propose_planes(const SweepQuery& query, const Cone& cone, Planes& planes) n
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
         const Vec edge = query.edge_direction(i);
         consider_perpendicular_sides(cone, edge, planes);
-        planes.consider_pass(rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius));
+        planes.consider_pass(
+            rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius, query.edge_hair(i)));
     }
     if (has_fault(Fault::vertices_dropped)) return;
     consider_perpendicular_sides(cone, query.along, planes);
-    for (const Vec& corner : query.corners) consider_vertex(query, cone, corner, planes);
+    for (int i = 0; i < 3; ++i) consider_vertex(query, cone, i, planes);
 }
 
 }  // namespace surefoot::internal

@@ -13,9 +13,10 @@ namespace surefoot::internal {
 
 namespace {
 
-// `squash` divides by the radii; for a sphere it does nothing and the ball keeps its radius.
-template <typename Squash>
-void propose_round_planes(const SweepQuery& query, double radius, const Squash& squash, Planes& planes) noexcept {
+// For a sphere `ball.squash` is 1 and the ball keeps its radius.
+void propose_round_planes(const SweepQuery& query, const Ball& ball, Planes& planes) noexcept {
+    const auto squash = [&](const Vec& v) { return divide_each(v, ball.squash); };
+    const auto with_hair = [&](double hair) { return Ball{ball.radius, hair, ball.squash}; };
     const auto consider = [&](const RoundNormals& normals) {
         planes.consider(squash(normals.entry));
         planes.consider(squash(normals.exit));
@@ -26,23 +27,23 @@ void propose_round_planes(const SweepQuery& query, double radius, const Squash& 
     const bool skip_edges =
         has_fault(Fault::parallel_skipped) && absolute(dot(unit(query.face_normal()), unit(query.along))) < 0x1p-20;
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3 && !skip_edges; ++i) {
-        consider(ball_against_line(squash(query.edge_start(i)), squash(query.edge_direction(i)), along, radius));
+        consider(ball_against_line(squash(query.edge_start(i)), squash(query.edge_direction(i)), along,
+                                   with_hair(query.edge_hair(i))));
     }
     if (has_fault(Fault::vertices_dropped)) return;
-    for (const Vec& corner : query.corners) consider(ball_against_point(squash(corner), along, radius));
+    for (int i = 0; i < 3; ++i) {
+        consider(ball_against_point(squash(query.corners[i]), along, with_hair(query.corner_hair(i))));
+    }
 }
 
 }  // namespace
 
 void propose_planes(const SweepQuery& query, const Sphere& sphere, Planes& planes) noexcept {
-    propose_round_planes(
-        query, sphere.radius, [](const Vec& v) { return v; }, planes);
+    propose_round_planes(query, {.radius = sphere.radius}, planes);
 }
 
 void propose_planes(const SweepQuery& query, const Ellipsoid& ellipsoid, Planes& planes) noexcept {
-    const Vec radii = to_vec(ellipsoid.radii);
-    propose_round_planes(
-        query, 1.0, [&](const Vec& v) { return divide_each(v, radii); }, planes);
+    propose_round_planes(query, {.radius = 1, .squash = to_vec(ellipsoid.radii)}, planes);
 }
 
 }  // namespace surefoot::internal

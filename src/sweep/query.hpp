@@ -17,10 +17,10 @@ namespace surefoot::internal {
 /// 64 leaves room for the shape's own support function and the last rounding of t.
 inline constexpr double rounding_share = 0x1p-47;
 
-/// How much the closed forms inflate a feature before they solve for it, as a share of the numbers involved. It is 256
-/// times the rounding above, so a grazing motion meets the inflated feature at an angle that doubles can hold; the
-/// planes found this way are then judged against the true shape.
-inline constexpr double inflation_share = 0x1p-45;
+/// How much the closed forms inflate a feature before they solve for it, in hairs: so much that a motion that only
+/// grazes meets the inflated feature at an angle that doubles can hold, and that no plane found this way is eaten up by
+/// its own hair. The planes are then judged against the true shape.
+inline constexpr double inflation = 4;
 
 struct SweepQuery {
     SweepQuery(const Volume& volume, const Motion& motion, const Triangle& triangle, std::uint32_t id) noexcept;
@@ -40,6 +40,13 @@ struct SweepQuery {
         return i == 2 ? corners[2] - corners[0] : corners[i + 1] - corners[i];
     }
     [[nodiscard]] Vec face_normal() const noexcept;
+
+    /// The rounding in a gap that this corner, or this edge, decides [m]. Of the edge alone, so that two triangles that
+    /// share it treat it alike.
+    [[nodiscard]] double corner_hair(int i) const noexcept { return corner_slack[i] + shape_slack; }
+    [[nodiscard]] double edge_hair(int i) const noexcept {
+        return larger(corner_slack[i == 2 ? 0 : i], corner_slack[i == 2 ? 2 : i + 1]) + shape_slack;
+    }
 };
 
 /// How far the shape reaches from its reference point against `normal`, which is in the shape's frame and of unit

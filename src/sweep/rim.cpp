@@ -4,7 +4,8 @@
 
 namespace surefoot::internal {
 
-RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const Vec& along, double radius) noexcept {
+RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const Vec& along, double radius,
+                              double hair) noexcept {
     const Vec edge = scaled_to_one(edge_direction);
     const Vec motion = scaled_to_one(along);
     if (edge.y == 0) return {};
@@ -29,7 +30,10 @@ RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const
     // across . crossing, with across . edge_h rewritten by G so that nothing is divided by the climb.
     const double turn = difference_of_products(edge.z, motion.x, edge.x, motion.z) / length(travel) * climb_sign;
     const double offset = -(dot(point, across) - point.y * turn);
-    const RoundNormals flat = normals_of_pass(across * offset, onward, radius, norm1(point));
+    // A hair along the normal is more of one in the plane of the rim.
+    const Vec steep = raised(across);
+    const double flat_hair = inflation * hair * length(steep) / std::sqrt(steep.x * steep.x + steep.z * steep.z);
+    const RoundNormals flat = normals_of_pass(across * offset, onward, radius, smaller(radius, flat_hair));
     return {raised(flat.entry), raised(flat.exit), raised(flat.passing)};
 }
 

@@ -5,8 +5,16 @@
 
 namespace surefoot::internal {
 
-RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double extent) noexcept {
-    const double hair = inflation_share * (radius + extent);
+namespace {
+
+// A hair of the world, along the normal that `closest` stands for, in the ball's space.
+double squashed_hair(const Vec& closest, const Ball& ball) noexcept {
+    return inflation * ball.hair * length(divide_each(unit(closest), ball.squash));
+}
+
+}  // namespace
+
+RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double hair) noexcept {
     const double inflated = radius + hair;
     const double distance = length(closest);
     RoundNormals normals;
@@ -19,14 +27,14 @@ RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radiu
     return normals;
 }
 
-RoundNormals ball_against_point(const Vec& point, const Vec& along, double radius) noexcept {
+RoundNormals ball_against_point(const Vec& point, const Vec& along, const Ball& ball) noexcept {
     const Vec onward = unit(along);
     Vec closest = onward * dot(point, onward) - point;
     closest = closest - onward * dot(closest, onward);
-    return normals_of_pass(closest, onward, radius, norm1(point));
+    return normals_of_pass(closest, onward, ball.radius, squashed_hair(closest, ball));
 }
 
-RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec& along, double radius) noexcept {
+RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec& along, const Ball& ball) noexcept {
     const Vec line = unit(direction);
     if (line == Vec{}) return {};
     const Vec across = unit(accurate_cross(scaled_to_one(along), scaled_to_one(direction)));
@@ -37,7 +45,7 @@ RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec
         return {.entry = {}, .exit = {}, .passing = closest};
     }
     const Vec onward = unit(cross(line, across));
-    return normals_of_pass(across * -dot(point, across), onward, radius, norm1(point));
+    return normals_of_pass(across * -dot(point, across), onward, ball.radius, squashed_hair(across, ball));
 }
 
 }  // namespace surefoot::internal

@@ -22,16 +22,22 @@ struct RoundNormals {
     Vec passing;  ///< at the closest approach
 };
 
-/// The normals of a pass: `closest` points from the feature to the closest approach, `onward` is the unit direction of
-/// motion perpendicular to it, `extent` the size of the numbers they were made from.
-[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius,
-                                           double extent) noexcept;
+/// A ball in the space where it is round: the world divided by `squash`.
+struct Ball {
+    double radius = 1;
+    double hair = 0;  ///< the rounding in the numbers of the feature, in the world [m]
+    Vec squash{1, 1, 1};
+};
 
-/// `point` relative to the ball's centre at `from`; `along` its motion; all in a space where the ball is round.
-[[nodiscard]] RoundNormals ball_against_point(const Vec& point, const Vec& along, double radius) noexcept;
+/// The normals of a pass: `closest` points from the feature to the closest approach, `onward` is the unit direction of
+/// motion perpendicular to it, `hair` how much the radius is inflated.
+[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double hair) noexcept;
+
+/// `point` relative to the ball's centre at `from`; `along` its motion; all in the ball's space.
+[[nodiscard]] RoundNormals ball_against_point(const Vec& point, const Vec& along, const Ball& ball) noexcept;
 
 /// The same against the infinite line through `point` along `direction`.
 [[nodiscard]] RoundNormals ball_against_line(const Vec& point, const Vec& direction, const Vec& along,
-                                             double radius) noexcept;
+                                             const Ball& ball) noexcept;
 
 }  // namespace surefoot::internal
