@@ -311,7 +311,10 @@ void take(const Shot& shot, const Level& level, const Walker& walker, bool one_s
                             .focus = focus,
                             .focus_reach = reach * shot.focus_share,
                             .progress = progress_bar("drawing " + shot.doing)});
-    draw_legend(canvas, shot.title, shot.under, shot.legend);
+    std::vector<Projected> keep_clear;
+    for (const dvec3& point : frame)
+        if (const auto projected = camera.project(point)) keep_clear.push_back(*projected);
+    draw_legend(canvas, shot.title, shot.under, shot.legend, keep_clear);
     const std::string file = (std::filesystem::path(folder) / shot.name).string();
     if (!canvas.write_png(file))
         throw Failure{ExitCode::file,

@@ -1,6 +1,7 @@
 #include "tour/camera.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -47,13 +48,47 @@ void fit(Camera& camera, const CameraWish& wish) {
 double seen(const Mesh& mesh, const Camera& camera, const CameraWish& wish) {
     double count = 0;
     for (const dvec3& point : wish.see) {
-        const dvec3 to = camera.eye + (point - camera.eye) * 0.999;
-        count += !mesh.ray({camera.eye, to}, {.one_sided = wish.one_sided});
+        const dvec3 way = (point - camera.eye) * 0.999;
+        const dvec3 from = camera.eye + glm::normalize(way) * camera.sight_begins(glm::normalize(way));
+        count += !mesh.ray({from, camera.eye + way}, {.one_sided = wish.one_sided});
     }
     return count / static_cast<double>(std::max<std::size_t>(wish.see.size(), 1));
 }
 
+struct View {
+    Camera camera;
+    double seen = 0;
+};
+
+View best_view(const Mesh& mesh, const CameraWish& wish, std::span<const double> pitches, double ceiling) {
+    constexpr int around = 24;
+    View best;
+    double most = -1e300;
+    for (const double pitch_deg : pitches)
+        for (int i = 0; i < around; ++i) {
+            const double pitch = pitch_deg * pi / 180;
+            const double angle = 2 * pi * (i + 0.31) / around;
+            Camera camera = looking_along(
+                {std::cos(angle) * std::cos(pitch), -std::sin(pitch), std::sin(angle) * std::cos(pitch)}, wish);
+            camera.ceiling = ceiling;
+            fit(camera, wish);
+            // A near eye shows more, and a flat view is more of a picture than a plan; being seen comes first.
+            const double distance = glm::length(camera.eye - wish.frame.front());
+            const double share = seen(mesh, camera, wish);
+            double value = 4 * share - 0.01 * pitch_deg - 0.4 * std::log(distance);
+            for (const dvec3& direction : wish.across) value -= std::abs(glm::dot(direction, camera.forward));
+            if (value <= most) continue;
+            most = value;
+            best = {camera, share};
+        }
+    return best;
+}
+
 }  // namespace
+
+double Camera::sight_begins(const dvec3& unit_direction) const {
+    return eye.y > ceiling && unit_direction.y < 0 ? (ceiling - eye.y) / unit_direction.y : 0;
+}
 
 dvec3 Camera::direction(double x, double y) const {
     const double across = (2 * x - width) / height * tan_half;
@@ -70,25 +105,14 @@ std::optional<Projected> Camera::project(const dvec3& point) const {
 }
 
 Camera choose_camera(const Mesh& mesh, const CameraWish& wish) {
-    constexpr int around = 24;
-    Camera best;
-    double most = -1e300;
-    for (const double pitch_deg : wish.pitches)
-        for (int i = 0; i < around; ++i) {
-            const double pitch = pitch_deg * pi / 180;
-            const double angle = 2 * pi * (i + 0.31) / around;
-            Camera camera = looking_along(
-                {std::cos(angle) * std::cos(pitch), -std::sin(pitch), std::sin(angle) * std::cos(pitch)}, wish);
-            fit(camera, wish);
-            // A near eye shows more, and a flat view is more of a picture than a plan; being seen comes first.
-            const double distance = glm::length(camera.eye - wish.frame.front());
-            double value = 4 * seen(mesh, camera, wish) - 0.01 * pitch_deg - 0.4 * std::log(distance);
-            for (const dvec3& direction : wish.across) value -= std::abs(glm::dot(direction, camera.forward));
-            if (value <= most) continue;
-            most = value;
-            best = camera;
-        }
-    return best;
+    const View open = best_view(mesh, wish, wish.pitches, 1e300);
+    constexpr double enough = 0.6;
+    if (open.seen >= enough) return open.camera;
+    double top = -1e300;
+    for (const dvec3& point : wish.frame) top = std::max(top, point.y);
+    constexpr std::array<double, 2> steep{52, 64};
+    const View cut = best_view(mesh, wish, steep, top);
+    return cut.seen > open.seen + 0.1 ? cut.camera : open.camera;
 }
 
 }  // namespace surefoot::tools

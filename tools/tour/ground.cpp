@@ -26,7 +26,9 @@ void frame(const dvec3& n, dvec3& u, dvec3& v) {
 }
 
 bool in_shadow(const Sunshine& sunshine, const dvec3& place, const dvec3& to_sun) {
-    const dvec3 high = place + to_sun * sunshine.far;
+    const double length = std::min(sunshine.far, std::max(0.0, sunshine.ceiling - place.y) / to_sun.y);
+    if (length <= 0) return false;
+    const dvec3 high = place + to_sun * length;
     // From the sun down: then a roof, seen from above by its back, lets the light in just as it lets the eye in.
     if (sunshine.one_sided) return sunshine.mesh.ray({high, place}, {.one_sided = true}).has_value();
     return sunshine.mesh.ray({place, high}).has_value();
@@ -48,10 +50,12 @@ double body_shadow(const Sunshine& sunshine, const dvec3& place, const dvec3& to
 
 Seen look(const Mesh& mesh, const Camera& camera, double x, double y, double far, bool one_sided) {
     const dvec3 direction = camera.direction(x, y);
-    const std::optional<Hit> hit = mesh.ray({camera.eye, camera.eye + direction * far}, {.one_sided = one_sided});
+    const double begin = camera.sight_begins(direction);
+    const std::optional<Hit> hit =
+        mesh.ray({camera.eye + direction * begin, camera.eye + direction * far}, {.one_sided = one_sided});
     if (!hit || hit->status != HitStatus::ok) return {};
     return {.met = true,
-            .distance = hit->t * far,
+            .distance = begin + hit->t * (far - begin),
             .point = hit->point,
             .normal = hit->normal,
             .triangle = hit->triangle,

@@ -32,6 +32,7 @@ struct Sunshine {
     dvec3 to_sun{0, 1, 0};                ///< unit
     double far = 1;                       ///< longer than the level
     double reach = 1;                     ///< how far a corner darkens [m]
+    double ceiling = 1e300;               ///< the sun shines in from here, where the level is cut away [m]
     bool one_sided = false;
 };
 

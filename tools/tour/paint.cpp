@@ -65,7 +65,7 @@ struct NamedTint {
 };
 
 /// Names that most levels use one way or another.
-const std::array<NamedTint, 12> named_tints{{{"grass", {0.27, 0.36, 0.17}},
+const std::array<NamedTint, 12> named_tints{{{"grass", {0.20, 0.27, 0.12}},
                                              {"ice", {0.50, 0.64, 0.72}},
                                              {"snow", {0.66, 0.68, 0.70}},
                                              {"sand", {0.58, 0.47, 0.30}},
@@ -124,7 +124,7 @@ Coat coat(const Figure& figure, const Sighting& sighting, const dvec3& direction
     const dvec3 mirrored = direction - 2 * glm::dot(direction, n) * n;
     const double gloss = std::pow(std::max(0.0, glm::dot(mirrored, to_sun)), 40);
     Colour linear(std::pow(figure.colour.x, 2.2), std::pow(figure.colour.y, 2.2), std::pow(figure.colour.z, 2.2));
-    linear = linear * (glm::mix(earthlight, skylight, 0.5 + 0.5 * n.y) + sunlight * (facing * facing));
+    linear = linear * (1.1 * glm::mix(earthlight, skylight, 0.5 + 0.5 * n.y) + sunlight * (0.62 * facing * facing));
     if (figure.glass) return {linear, std::clamp(figure.alpha * (0.45 + 1.6 * rim * rim), 0.0, 0.9)};
     const double edge = std::pow(rim, 4);
     return {linear + Colour(0.35 * gloss) + skylight * (0.25 * edge), figure.alpha + (1 - figure.alpha) * edge};

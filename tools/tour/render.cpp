@@ -31,6 +31,7 @@ public:
         const dvec3 flat = glm::normalize(dvec3(camera_.forward.x, 0, camera_.forward.z));
         sunshine_.to_sun = glm::normalize(dvec3(0, 1.15, 0) - camera_.right * 0.75 - flat * 0.15);
         sunshine_.far = 2 * radius;
+        sunshine_.ceiling = camera_.ceiling;
         sunshine_.reach = 1.6 * input.unit;
         for (const Figure& figure : input.figures)
             if (figure.shadow)

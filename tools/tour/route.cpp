@@ -30,6 +30,12 @@ dvec3 heading(double angle) {
     return {std::cos(angle), 0, std::sin(angle)};
 }
 
+/// How curious a contact is: rare features more than common ones, walls more than floors.
+double curiosity(const Hit& hit) {
+    const double wall = std::abs(hit.normal.y) < 0.5 ? 1.0 : 0.3;
+    return wall * (hit.feature == Feature::vertex ? 4.0 : hit.feature == Feature::edge ? 2.5 : 1.0);
+}
+
 /// The state of a walk under way.
 class Walk {
 public:
@@ -47,10 +53,12 @@ public:
             const double length = gait_.stride * static_cast<double>(1 + turn * 7 % 3);
             if (next < waypoints.size() && stuck == 0) {
                 const dvec3 way = waypoints[next] - position_;
-                stride(glm::normalize(dvec3(way.x, 0, way.z)),
-                       std::min(length, flat_distance(position_, waypoints[next])));
+                const dvec3 direction = glm::normalize(dvec3(way.x, 0, way.z));
+                stride(direction, std::min(2 * length, flat_distance(position_, waypoints[next])));
             } else {
-                stride(freest_heading(), length);
+                // Now out into the open, now straight at something, for a walk that is worth looking at.
+                const bool touch = waypoints.empty() && turn % 3 != 2;
+                stride(best_heading(touch), touch ? reach() : length);
             }
             stuck = flat_distance(before, position_) < 0.2 * gait_.stride ? stuck + 1 : 0;
         }
@@ -104,25 +112,26 @@ private:
         }
     }
 
-    /// The way that leads farthest without meeting anything, and away from where the walk has been.
-    dvec3 freest_heading() {
+    [[nodiscard]] double reach() const { return 4 * gait_.stride; }
+
+    /// The way that leads farthest without meeting anything, or else (`touch`) to the most curious contact; and away
+    /// from where the walk has been.
+    dvec3 best_heading(bool touch) {
         constexpr int ways = 16;
         double best = -1e300;
         double chosen = 0;
         for (int i = 0; i < ways; ++i) {
             const double angle = 2 * pi * (i + 0.37) / ways;
-            const double reach = 4 * gait_.stride;
-            const dvec3 to = position_ + heading(angle) * reach;
+            const dvec3 to = position_ + heading(angle) * reach();
             ++route_.probes;
             const std::optional<Hit> hit = sweep({position_ + up * gait_.skin, to});
-            // Half of the worth is reach: a way that ends at a wall soon still earns a look if it leads to new places.
             const double t = hit ? hit->t : 1.0;
-            double worth = t * reach;
-            const dvec3 end = position_ + heading(angle) * (std::min(t, 0.5) * reach);
+            const dvec3 end = position_ + heading(angle) * (std::min(t, touch ? 1.0 : 0.5) * reach());
+            double worth = touch ? (hit ? curiosity(*hit) * std::min(1.0, 4 * t) * gait_.stride : 0.0) : t * reach();
             for (const dvec3& seen : visited_)
                 worth -= gait_.stride * std::exp(-glm::dot(end - seen, end - seen) / (4 * gait_.stride * gait_.stride));
-            if (!stands_at(end)) worth -= 2 * reach;
-            if (avoid_ && std::cos(angle - *avoid_) > 0.9) worth -= 2 * reach;
+            if (!stands_at(end)) worth -= 2 * reach();
+            if (avoid_ && std::cos(angle - *avoid_) > 0.9) worth -= 2 * reach();
             if (worth > best) {
                 best = worth;
                 chosen = angle;
@@ -147,24 +156,30 @@ private:
     Route route_;
 };
 
-/// How much there is to see: every kind of feature counts, the rarer the more, and so does ground covered.
-double worth(const Route& route, const Walker& walker) {
-    const auto root = [&](Feature feature) { return std::sqrt(static_cast<double>(route.contacts(feature))); };
+/// How much there is to see: every kind of contact counts, the rarer the more, and so does ground covered. Low down is
+/// better than on a roof, where few games are played.
+double worth(const Mesh& mesh, const Route& route, const Walker& walker) {
     dvec3 low(1e300);
     dvec3 high(-1e300);
     double travelled = 0;
-    double walls = 0;
+    double altitude = 0;
+    double curious[3] = {0, 0, 0};
     for (const Leg& leg : route.legs) {
         const dvec3 end = leg.motion.from + (leg.hit ? leg.hit->t : 1.0) * (leg.motion.to - leg.motion.from);
         low = glm::min(low, end);
         high = glm::max(high, end);
+        altitude += end.y / static_cast<double>(route.legs.size());
         if (leg.step == Step::walk) travelled += glm::length(end - leg.motion.from);
-        walls += leg.hit && std::abs(leg.hit->normal.y) < 0.5;
+        if (leg.hit && leg.step == Step::walk) curious[static_cast<int>(leg.hit->feature)] += curiosity(*leg.hit);
     }
+    double value = 0;
+    for (const double kind : curious) value += 2 * std::sqrt(kind);
     const double height = 2 * walker.half_size.y;
+    const Bounds bounds = mesh.bounds();
     const dvec3 size = high - low;
-    return root(Feature::face) + 2 * root(Feature::edge) + 3 * root(Feature::vertex) + std::sqrt(walls) +
-           0.25 * travelled / height + 0.25 * std::min(size.x, size.z) / height + size.y / height;
+    return value + std::sqrt(travelled / height) + std::min(3.0, std::min(size.x, size.z) / height / 2) +
+           std::min(2.0, size.y / height) -
+           4 * (altitude - bounds.min.y) / std::max(height, bounds.max.y - bounds.min.y);
 }
 
 }  // namespace
@@ -208,11 +223,11 @@ Route best_route(const Mesh& mesh, const Walker& walker, std::span<const dvec3> 
                  std::span<const dvec3> waypoints) {
     Route best;
     double most = -1;
-    constexpr std::size_t most_tries = 400;
+    constexpr std::size_t most_tries = 160;
     const std::size_t stride = places.size() / most_tries + 1;
     for (std::size_t i = 0; i < places.size(); i += stride) {
         Route route = walk_from(mesh, walker, places[i], waypoints);
-        const double value = worth(route, walker);
+        const double value = worth(mesh, route, walker);
         if (value <= most) continue;
         most = value;
         best = std::move(route);

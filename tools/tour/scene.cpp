@@ -64,7 +64,7 @@ std::vector<Figure> figures_of(const Route& route, const Walker& walker) {
         add(figures, {.solid = rod(leg.motion.from, stop, 0.03 * size), .colour = sweep_colour, .marker = true});
         if (leg.step == Step::walk && glm::length(stop - leg.motion.from) > 0.2 * size)
             add(figures,
-                {.solid = body(walker, leg.motion.from, stop), .colour = sweep_colour, .alpha = 0.20, .glass = true});
+                {.solid = body(walker, leg.motion.from, stop), .colour = sweep_colour, .alpha = 0.15, .glass = true});
         if (!leg.hit) continue;
         add_contact(figures, *leg.hit, size);
         // Where a walk ends and the drop after it begins, two bodies would stand in one place: one is enough.
@@ -74,7 +74,7 @@ std::vector<Figure> figures_of(const Route& route, const Walker& walker) {
         if (crowded) continue;
         shown.push_back(stop);
         add(figures,
-            {.solid = body(walker, stop, stop), .colour = colour_of(leg.hit->feature), .alpha = 0.80, .shadow = true});
+            {.solid = body(walker, stop, stop), .colour = colour_of(leg.hit->feature), .alpha = 0.86, .shadow = true});
     }
     return figures;
 }
