@@ -54,12 +54,12 @@ TEST(March, a_guarded_march_never_tunnels_however_large_the_step) {
 }
 
 TEST(March, no_random_polyline_gets_through_a_wall_under_guard) {
-    test::Random random(1);
+    tests::Random random(1);
     for (int kind = 0; kind < 6; ++kind) {
         for (int i = 0; i < 300; ++i) {
-            const Volume volume(test::some_shape(random, kind), random.orientation());
-            const double wiggle = random.between(0, 5);
-            const dvec3 swing = random.in_cube(3);
+            const Volume volume(tests::some_shape(random, kind), random.orientation());
+            const double wiggle = random.in(0, 5);
+            const dvec3 swing = random.point(3);
             const auto path = [&](double t) { return dvec3(-20 + 40 * t, 0, 0) + swing * std::sin(wiggle * t); };
             const auto steps = static_cast<std::uint32_t>(1 + random.below(30));
             const auto met = march(volume, path, wall, {.steps = steps});

@@ -10,7 +10,9 @@
 #include <surefoot/math.hpp>
 #include <surefoot/shapes.hpp>
 
-namespace surefoot::test {
+#include "splitmix.hpp"
+
+namespace surefoot::tests {
 
 using Real = long double;
 
@@ -106,34 +108,21 @@ inline bool is_within(const Volume& volume, const Point& p, Real margin = 0) {
     return shrunk <= cone.height && level <= slope * shrunk;
 }
 
-/// Steele, Lea and Flood's splitmix64.
-class Random {
+/// Random numbers for questions about shapes.
+class Random : public SplitMix {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    using SplitMix::SplitMix;
 
-    std::uint64_t next() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    double between(double low, double high) {
-        return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
-    }
     /// Equally likely in every octave.
-    double octaves(double low, double high) { return low * std::exp2(between(0, std::log2(high / low))); }
+    double octaves(double low, double high) { return low * std::exp2(in(0, std::log2(high / low))); }
     int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
-    dvec3 in_cube(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+    /// Upright, spun about the vertical, or turned any way.
     dquat orientation() {
         const int kind = below(4);
         if (kind == 0) return dquat(1, 0, 0, 0);
-        if (kind == 1) return dquat(1, 0, between(-1, 1), 0);
-        return dquat(between(-1, 1) + 1e-3, between(-1, 1), between(-1, 1), between(-1, 1));
+        if (kind == 1) return dquat(1, 0, in(-1, 1), 0);
+        return turn();
     }
-
-private:
-    std::uint64_t state_;
 };
 
 /// One of the six shapes by number, with dimensions of 0.1 to 2.
@@ -153,6 +142,17 @@ inline Shape some_shape(Random& random, int kind) {
         default:
             return Cone{size(), size()};
     }
+}
+
+/// Twice as large in all directions.
+inline Shape twice(const Shape& shape) {
+    if (const auto* s = std::get_if<Sphere>(&shape)) return Sphere{2 * s->radius};
+    if (const auto* s = std::get_if<Ellipsoid>(&shape)) return Ellipsoid{s->radii * 2.0};
+    if (const auto* s = std::get_if<Capsule>(&shape)) return Capsule{2 * s->radius, 2 * s->half_height};
+    if (const auto* s = std::get_if<Box>(&shape)) return Box{s->half_extents * 2.0};
+    if (const auto* s = std::get_if<Cylinder>(&shape)) return Cylinder{2 * s->radius, 2 * s->half_height};
+    const auto& cone = std::get<Cone>(shape);
+    return Cone{2 * cone.radius, 2 * cone.height};
 }
 
 inline const char* shape_name(int kind) {
@@ -212,4 +212,4 @@ Real least_over_directions(const Function& f, const std::vector<Point>& hints = 
     return best;
 }
 
-}  // namespace surefoot::test
+}  // namespace surefoot::tests

@@ -3,13 +3,14 @@
 #include <limits>
 
 #include <surefoot/overlap.hpp>
+#include <surefoot/sweep.hpp>
 
 #include "numeric_reference.hpp"
 
 using namespace surefoot;
-using test::Point;
-using test::Random;
-using test::Real;
+using tests::Point;
+using tests::Random;
+using tests::Real;
 
 namespace {
 
@@ -18,15 +19,15 @@ const Triangle floor_triangle{{-10, 0, 10}, {10, 0, 10}, {0, 0, -10}};  // its f
 Real depth_along(const Volume& volume, const dvec3& position, const Triangle& triangle, const Point& n) {
     Real far = -1e300L;
     for (const dvec3& corner : {triangle.a, triangle.b, triangle.c}) {
-        far = std::max(far, dot(n, test::point(corner) - test::point(position)));
+        far = std::max(far, dot(n, tests::point(corner) - tests::point(position)));
     }
-    return far + test::reach(volume, -n);
+    return far + tests::reach(volume, -n);
 }
 
 Real least_depth(const Volume& volume, const dvec3& position, const Triangle& triangle, int count = 400) {
-    const Point a = test::point(triangle.a);
-    const Point b = test::point(triangle.b);
-    const Point c = test::point(triangle.c);
+    const Point a = tests::point(triangle.a);
+    const Point b = tests::point(triangle.b);
+    const Point c = tests::point(triangle.c);
     std::vector<Point> hints{cross(b - a, c - a)};
     const Point axes[3] = {turn(volume.orientation, Point{1, 0, 0}), turn(volume.orientation, Point{0, 1, 0}),
                            turn(volume.orientation, Point{0, 0, 1})};
@@ -34,8 +35,8 @@ Real least_depth(const Volume& volume, const dvec3& position, const Triangle& tr
         hints.push_back(axis);
         for (const Point& e : {b - a, c - b, a - c}) hints.push_back(cross(e, axis));
     }
-    return test::least_over_directions([&](const Point& n) { return depth_along(volume, position, triangle, n); },
-                                       hints, count);
+    return tests::least_over_directions([&](const Point& n) { return depth_along(volume, position, triangle, n); },
+                                        hints, count);
 }
 
 struct Question {
@@ -46,17 +47,17 @@ struct Question {
 
 Question random_question(Random& random, int kind) {
     Question q;
-    q.volume = Volume(std::visit([](const auto& s) { return Volume(s); }, test::some_shape(random, kind)).shape,
+    q.volume = Volume(std::visit([](const auto& s) { return Volume(s); }, tests::some_shape(random, kind)).shape,
                       random.orientation());
     const double size = random.octaves(0.05, 20);
-    q.position = random.in_cube(1) * (random.below(4) == 0 ? 1000.0 : 1.0);
-    const dvec3 middle = q.position + random.in_cube(0.7);
-    q.triangle = {middle + random.in_cube(size), middle + random.in_cube(size), middle + random.in_cube(size)};
+    q.position = random.point(1) * (random.below(4) == 0 ? 1000.0 : 1.0);
+    const dvec3 middle = q.position + random.point(0.7);
+    q.triangle = {middle + random.point(size), middle + random.point(size), middle + random.point(size)};
     const int special = random.below(8);
-    if (special == 0) q.triangle.c = q.triangle.a + (q.triangle.b - q.triangle.a) * random.between(0, 1);  // sliver
-    if (special == 1) q.triangle.c = q.triangle.b;                                                         // segment
-    if (special == 2) q.triangle.c = q.triangle.b + random.in_cube(1e-7);                                  // needle
-    if (special == 3) q.triangle.b.y = q.triangle.c.y = q.triangle.a.y;                                    // level
+    if (special == 0) q.triangle.c = q.triangle.a + (q.triangle.b - q.triangle.a) * random.in(0, 1);  // sliver
+    if (special == 1) q.triangle.c = q.triangle.b;                                                    // segment
+    if (special == 2) q.triangle.c = q.triangle.b + random.point(1e-7);                               // needle
+    if (special == 3) q.triangle.b.y = q.triangle.c.y = q.triangle.a.y;                               // level
     return q;
 }
 
@@ -65,10 +66,10 @@ bool some_point_is_within(const Question& q) {
     const int steps = 60;
     for (int i = 0; i <= steps; ++i) {
         for (int k = 0; i + k <= steps; ++k) {
-            const Point a = test::point(q.triangle.a);
-            const Point p = a + (test::point(q.triangle.b) - a) * (static_cast<Real>(i) / steps) +
-                            (test::point(q.triangle.c) - a) * (static_cast<Real>(k) / steps);
-            if (test::is_within(q.volume, p - test::point(q.position), 1e-9L)) return true;
+            const Point a = tests::point(q.triangle.a);
+            const Point p = a + (tests::point(q.triangle.b) - a) * (static_cast<Real>(i) / steps) +
+                            (tests::point(q.triangle.c) - a) * (static_cast<Real>(k) / steps);
+            if (tests::is_within(q.volume, p - tests::point(q.position), 1e-9L)) return true;
         }
     }
     return false;
@@ -115,13 +116,13 @@ TEST(Overlap, a_sphere_off_an_edge_leaves_across_the_edge) {
 TEST(Overlap, a_centre_exactly_on_the_plane_leaves_by_the_front) {
     for (int kind = 0; kind < 5; ++kind) {
         Random random(static_cast<std::uint64_t>(kind));
-        const Volume volume(test::some_shape(random, kind));
+        const Volume volume(tests::some_shape(random, kind));
         const Triangle turned{floor_triangle.a, floor_triangle.c, floor_triangle.b};
         const auto up = overlap(volume, {0, 0, 0}, floor_triangle);
         const auto down = overlap(volume, {0, 0, 0}, turned);
         ASSERT_TRUE(up && down);
-        EXPECT_EQ(up->normal, dvec3(0, 1, 0)) << test::shape_name(kind);
-        EXPECT_EQ(down->normal, dvec3(0, -1, 0)) << test::shape_name(kind);
+        EXPECT_EQ(up->normal, dvec3(0, 1, 0)) << tests::shape_name(kind);
+        EXPECT_EQ(down->normal, dvec3(0, -1, 0)) << tests::shape_name(kind);
         EXPECT_EQ(up->depth, down->depth);
     }
 }
@@ -226,15 +227,15 @@ TEST(Overlap, the_side_of_a_cone_lies_along_a_face_that_leans_as_it_does) {
 TEST(Overlap, triangles_without_area_are_the_segment_or_point_that_they_are) {
     for (int kind = 0; kind < 6; ++kind) {
         Random random(static_cast<std::uint64_t>(kind) + 7);
-        const Volume volume(test::some_shape(random, kind));
+        const Volume volume(tests::some_shape(random, kind));
         const dvec3 inside{0.001, 0.05, -0.001};
         const dvec3 far{30, 20, 10};
-        EXPECT_TRUE(overlap(volume, {0, 0, 0}, {inside, inside, inside})) << test::shape_name(kind);
+        EXPECT_TRUE(overlap(volume, {0, 0, 0}, {inside, inside, inside})) << tests::shape_name(kind);
         EXPECT_TRUE(overlap(volume, {0, 0, 0}, {inside, far, inside + (far - inside) * 0.5}));
         EXPECT_FALSE(overlap(volume, {0, 0, 0}, {far, far, far}));
         const auto on_the_point = overlap(volume, {1, 2, 3}, {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}});
         ASSERT_TRUE(on_the_point);
-        EXPECT_NEAR(static_cast<double>(length(test::point(on_the_point->normal))), 1, 1e-15);
+        EXPECT_NEAR(static_cast<double>(length(tests::point(on_the_point->normal))), 1, 1e-15);
     }
 }
 
@@ -279,14 +280,14 @@ TEST(Overlap, the_way_out_is_enough_and_no_dense_search_finds_a_shorter_one) {
             const Question q = random_question(random, kind);
             const auto answer = overlap(q.volume, q.position, q.triangle);
             const Real least = least_depth(q.volume, q.position, q.triangle);
-            SCOPED_TRACE(testing::Message() << test::shape_name(kind) << " " << i);
+            SCOPED_TRACE(testing::Message() << tests::shape_name(kind) << " " << i);
             if (!answer) {
                 EXPECT_FALSE(some_point_is_within(q));
                 continue;
             }
             ++touching;
             EXPECT_GT(least, -1e-11L);
-            const Point n = test::point(answer->normal);
+            const Point n = tests::point(answer->normal);
             EXPECT_NEAR(static_cast<double>(length(n)), 1, 1e-14);
             const Real needed = depth_along(q.volume, q.position, q.triangle, n);
             double bound = 1;
@@ -299,7 +300,7 @@ TEST(Overlap, the_way_out_is_enough_and_no_dense_search_finds_a_shorter_one) {
             if (least > 1e-6L) worst_excess = std::max(worst_excess, answer->depth / least - 1);
             EXPECT_LE(answer->depth, static_cast<double>(least) * bound + 1e-9);
         }
-        RecordProperty(test::shape_name(kind), std::to_string(static_cast<double>(worst_excess)));
+        RecordProperty(tests::shape_name(kind), std::to_string(static_cast<double>(worst_excess)));
         EXPECT_GT(touching, 40);
     }
 }
@@ -311,25 +312,25 @@ TEST(Overlap, moving_by_the_depth_leaves_the_shape_just_touching_at_the_point) {
             const Question q = random_question(random, kind);
             const auto answer = overlap(q.volume, q.position, q.triangle);
             if (!answer) continue;
-            SCOPED_TRACE(testing::Message() << test::shape_name(kind) << " " << i);
+            SCOPED_TRACE(testing::Message() << tests::shape_name(kind) << " " << i);
             const dvec3 moved = q.position + answer->normal * answer->depth;
             // The plane that now lies between them: for an ellipsoid its own surface gives it, as it leaves askew.
-            Point plane = test::point(answer->normal);
+            Point plane = tests::point(answer->normal);
             if (const auto* e = std::get_if<Ellipsoid>(&q.volume.shape)) {
-                const Point own = turn_back(q.volume.orientation, test::point(moved) - test::point(answer->point));
+                const Point own = turn_back(q.volume.orientation, tests::point(moved) - tests::point(answer->point));
                 const Point steep{own.x / (e->radii.x * e->radii.x), own.y / (e->radii.y * e->radii.y),
                                   own.z / (e->radii.z * e->radii.z)};
                 plane = unit(turn(q.volume.orientation, steep));
             }
             EXPECT_NEAR(static_cast<double>(depth_along(q.volume, moved, q.triangle, plane)), 0, 2e-9);
             // The point is of the triangle, and on the surface of the shape once that has been moved.
-            const Point p = test::point(answer->point) - test::point(moved);
-            EXPECT_TRUE(test::is_within(q.volume, p * (1 - 1e-9L), -1e-6L));
-            EXPECT_FALSE(test::is_within(q.volume, p, 1e-6L));
-            const Real off = test::least_over_directions([&](const Point& n) {
+            const Point p = tests::point(answer->point) - tests::point(moved);
+            EXPECT_TRUE(tests::is_within(q.volume, p * (1 - 1e-9L), -1e-6L));
+            EXPECT_FALSE(tests::is_within(q.volume, p, 1e-6L));
+            const Real off = tests::least_over_directions([&](const Point& n) {
                 Real near = 1e300L;
                 for (const dvec3& corner : {q.triangle.a, q.triangle.b, q.triangle.c}) {
-                    near = std::min(near, dot(n, test::point(corner) - test::point(answer->point)));
+                    near = std::min(near, dot(n, tests::point(corner) - tests::point(answer->point)));
                 }
                 return -near;
             });
@@ -344,15 +345,32 @@ TEST(Overlap, a_point_of_the_triangle_strictly_inside_the_shape_is_always_found)
         int inside = 0;
         for (int i = 0; i < 20000; ++i) {
             const Question q = random_question(random, kind);
-            const double u = random.between(0, 1);
-            const double v = random.between(0, 1) * (1 - u);
+            const double u = random.in(0, 1);
+            const double v = random.in(0, 1) * (1 - u);
             const dvec3 p = q.triangle.a + (q.triangle.b - q.triangle.a) * u + (q.triangle.c - q.triangle.a) * v;
-            if (!test::is_within(q.volume, test::point(p) - test::point(q.position))) continue;
+            if (!tests::is_within(q.volume, tests::point(p) - tests::point(q.position))) continue;
             ++inside;
-            ASSERT_TRUE(overlap(q.volume, q.position, q.triangle)) << test::shape_name(kind) << " " << i;
+            ASSERT_TRUE(overlap(q.volume, q.position, q.triangle)) << tests::shape_name(kind) << " " << i;
         }
         EXPECT_GT(inside, 500);
     }
+}
+
+TEST(Overlap, where_a_sweep_stopped_a_skin_thicker_shape_touches_and_a_thinner_one_does_not) {
+    Random random(600);
+    int stopped = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Question q = random_question(random, 0);
+        const double radius = std::get<Sphere>(q.volume.shape).radius;
+        const Motion motion{q.position + random.point(20), q.position};
+        const auto hit = sweep(q.volume, motion, q.triangle);
+        if (!hit || hit->started_inside) continue;
+        ++stopped;
+        const dvec3 place = motion.from + (motion.to - motion.from) * hit->t;
+        EXPECT_TRUE(overlap(Sphere{radius + 1e-8}, place, q.triangle));
+        EXPECT_FALSE(overlap(Sphere{radius - 1e-8}, place, q.triangle));
+    }
+    EXPECT_GT(stopped, 300);
 }
 
 TEST(Overlap, scaling_everything_by_two_scales_the_answer_bit_for_bit) {
@@ -360,22 +378,8 @@ TEST(Overlap, scaling_everything_by_two_scales_the_answer_bit_for_bit) {
         Random random(400 + static_cast<std::uint64_t>(kind));
         for (int i = 0; i < 2000; ++i) {
             const Question q = random_question(random, kind);
-            const auto twice = std::visit(
-                [](auto s) -> Shape {
-                    if constexpr (std::is_same_v<decltype(s), Sphere>)
-                        return Sphere{2 * s.radius};
-                    else if constexpr (std::is_same_v<decltype(s), Ellipsoid>)
-                        return Ellipsoid{s.radii * 2.0};
-                    else if constexpr (std::is_same_v<decltype(s), Box>)
-                        return Box{s.half_extents * 2.0};
-                    else if constexpr (std::is_same_v<decltype(s), Cone>)
-                        return Cone{2 * s.radius, 2 * s.height};
-                    else
-                        return decltype(s){2 * s.radius, 2 * s.half_height};
-                },
-                q.volume.shape);
             const auto small = overlap(q.volume, q.position, q.triangle);
-            const auto large = overlap(Volume(twice, q.volume.orientation), q.position * 2.0,
+            const auto large = overlap(Volume(tests::twice(q.volume.shape), q.volume.orientation), q.position * 2.0,
                                        {q.triangle.a * 2.0, q.triangle.b * 2.0, q.triangle.c * 2.0});
             ASSERT_EQ(small.has_value(), large.has_value());
             if (!small) continue;

@@ -6,9 +6,9 @@
 #include "numeric_reference.hpp"
 
 using namespace surefoot;
-using test::Point;
-using test::Random;
-using test::Real;
+using tests::Point;
+using tests::Random;
+using tests::Real;
 
 namespace {
 
@@ -16,7 +16,7 @@ const dquat eighth_about_z(0.92387953251128675613, 0, 0, 0.38268343236508977173)
 
 // The gap that a plane of unit normal `n` proves between a at x and b at the origin.
 Real gap_along(const Volume& a, const Point& x, const Volume& b, const Point& n) {
-    return dot(n, x) - test::reach(b, n) - test::reach(a, -n);
+    return dot(n, x) - tests::reach(b, n) - tests::reach(a, -n);
 }
 
 // The distance of two shapes, or less; when they overlap, minus the depth of the shortest way out or less.
@@ -28,11 +28,11 @@ Real largest_gap(const Volume& a, const Point& x, const Volume& b, std::vector<P
         hints.push_back(turn(b.orientation, i));
         for (const Point& k : axes) hints.push_back(cross(turn(a.orientation, i), turn(b.orientation, k)));
     }
-    return -test::least_over_directions([&](const Point& n) { return -gap_along(a, x, b, n); }, hints, 300);
+    return -tests::least_over_directions([&](const Point& n) { return -gap_along(a, x, b, n); }, hints, 300);
 }
 
 Point difference(const dvec3& a, const dvec3& b) {
-    return test::point(a) - test::point(b);
+    return tests::point(a) - tests::point(b);
 }
 
 struct Question {
@@ -44,11 +44,11 @@ struct Question {
 
 Question random_question(Random& random, int kind_a, int kind_b) {
     Question q;
-    q.a = Volume(test::some_shape(random, kind_a), random.orientation());
-    q.b = Volume(test::some_shape(random, kind_b), random.orientation());
-    const dvec3 place = random.in_cube(1) * (random.below(4) == 0 ? 1000.0 : 1.0);
-    q.motion_b = {place, place + random.in_cube(1)};
-    q.motion_a = {place + random.in_cube(4), place + random.in_cube(2)};
+    q.a = Volume(tests::some_shape(random, kind_a), random.orientation());
+    q.b = Volume(tests::some_shape(random, kind_b), random.orientation());
+    const dvec3 place = random.point(1) * (random.below(4) == 0 ? 1000.0 : 1.0);
+    q.motion_b = {place, place + random.point(1)};
+    q.motion_a = {place + random.point(4), place + random.point(2)};
     return q;
 }
 
@@ -64,7 +64,7 @@ void for_all_pairs(std::uint64_t seed, int count, const Check& check) {
             for (int i = 0; i < count; ++i) {
                 const Question q = random_question(random, kind_a, kind_b);
                 SCOPED_TRACE(testing::Message()
-                             << test::shape_name(kind_a) << " " << test::shape_name(kind_b) << " " << i);
+                             << tests::shape_name(kind_a) << " " << tests::shape_name(kind_b) << " " << i);
                 check(q, random);
                 if (testing::Test::HasFatalFailure()) return;
             }
@@ -189,7 +189,7 @@ TEST(Pair, touching_shapes_may_leave_and_slide_but_not_press_on) {
         const auto moves = [&](const dvec3& way) { return pair_sweep(q.a, {place, place + way}, q.b, q.motion_b.to); };
         EXPECT_FALSE(moves(normal));
         EXPECT_FALSE(moves(normal * 1e-3));
-        const dvec3 other = random.in_cube(1);
+        const dvec3 other = random.point(1);
         const double along = other.x * normal.x + other.y * normal.y + other.z * normal.z;
         EXPECT_FALSE(moves(other - normal * (along - 1e-6)));
         const auto pressed = moves(normal * -0.05);
@@ -230,16 +230,16 @@ TEST(Pair, a_hit_is_never_late_and_its_gap_is_within_the_tolerance) {
         const Point from = difference(q.motion_a.from, q.motion_b.from);
         const Point to = difference(q.motion_a.to, q.motion_b.to);
         const Point x = from + (to - from) * t;
-        const Point n = test::point(hit->normal);
+        const Point n = tests::point(hit->normal);
         EXPECT_NEAR(static_cast<double>(length(n)), 1, 1e-14);
         // A plane that has a gap at t, and had a larger one before: the proof that it is not late.
         EXPECT_LT(dot(n, to - from), 0);
         EXPECT_GT(gap_along(q.a, x, q.b, n), -1e-13L);
         EXPECT_LT(largest_gap(q.a, x, q.b, {n}), 1e-6L);
-        const Point at_a = test::point(at(q.motion_a, hit->t));
-        const Point at_b = test::point(at(q.motion_b, hit->t));
-        EXPECT_TRUE(test::is_within(q.a, test::point(hit->point) - at_a, -1e-5L));
-        EXPECT_TRUE(test::is_within(q.b, test::point(hit->point) - at_b, -1e-5L));
+        const Point at_a = tests::point(at(q.motion_a, hit->t));
+        const Point at_b = tests::point(at(q.motion_b, hit->t));
+        EXPECT_TRUE(tests::is_within(q.a, tests::point(hit->point) - at_a, -1e-5L));
+        EXPECT_TRUE(tests::is_within(q.b, tests::point(hit->point) - at_b, -1e-5L));
     });
     EXPECT_GT(hits, 300);
 }
@@ -247,11 +247,11 @@ TEST(Pair, a_hit_is_never_late_and_its_gap_is_within_the_tolerance) {
 TEST(Pair, a_common_point_at_any_time_means_a_hit_no_later) {
     int met = 0;
     for_all_pairs(80, 5000, [&](const Question& q, Random& random) {
-        const double t = random.between(0, 1);
-        const Point inside = test::point(random.in_cube(1));
-        if (!test::is_within(q.a, inside, 1e-6L)) return;
-        const Point p = test::point(at(q.motion_a, t)) + inside;
-        if (!test::is_within(q.b, p - test::point(at(q.motion_b, t)), 1e-6L)) return;
+        const double t = random.in(0, 1);
+        const Point inside = tests::point(random.point(1));
+        if (!tests::is_within(q.a, inside, 1e-6L)) return;
+        const Point p = tests::point(at(q.motion_a, t)) + inside;
+        if (!tests::is_within(q.b, p - tests::point(at(q.motion_b, t)), 1e-6L)) return;
         ++met;
         EXPECT_TRUE(pair_overlap(q.a, at(q.motion_a, t), q.b, at(q.motion_b, t)));
         if (pair_overlap(q.a, q.motion_a.from, q.b, q.motion_b.from)) return;
@@ -275,14 +275,14 @@ TEST(Pair, the_way_out_is_enough_just_touching_and_short) {
         ASSERT_EQ(overlap->status, HitStatus::ok);
         ++overlaps;
         const Real depth = overlap->depth;
-        const Point n = test::point(overlap->normal);
+        const Point n = tests::point(overlap->normal);
         const Real least = -largest_gap(q.a, x, q.b, {n});
         EXPECT_GT(least, -1e-6L);
         if (least > 1e-3L) worst = std::max(worst, depth / least - 1);
         // Parted: no dense search finds them more than the tolerance apart, and no point is inside both.
         EXPECT_LT(largest_gap(q.a, x + n * depth, q.b, {n}), 1e-6L);
-        EXPECT_TRUE(test::is_within(q.b, difference(overlap->point, q.motion_b.to), -1e-5L));
-        EXPECT_TRUE(test::is_within(q.a, difference(overlap->point, q.motion_a.to) - n * depth, -1e-5L));
+        EXPECT_TRUE(tests::is_within(q.b, difference(overlap->point, q.motion_b.to), -1e-5L));
+        EXPECT_TRUE(tests::is_within(q.a, difference(overlap->point, q.motion_a.to) - n * depth, -1e-5L));
     });
     EXPECT_GT(overlaps, 300);
     EXPECT_LT(worst, 0.05);
@@ -323,15 +323,37 @@ TEST(Pair, equal_shapes_swap_as_well) {
     }
 }
 
+TEST(Pair, scaling_everything_by_two_scales_the_answer_bit_for_bit) {
+    for_all_pairs(97, 100, [](const Question& q, Random&) {
+        const auto twice = [](const Volume& volume) { return Volume(tests::twice(volume.shape), volume.orientation); };
+        const auto twice_motion = [](const Motion& motion) { return Motion{motion.from * 2.0, motion.to * 2.0}; };
+        const auto small = pair_sweep(q.a, q.motion_a, q.b, q.motion_b);
+        const auto large = pair_sweep(twice(q.a), twice_motion(q.motion_a), twice(q.b), twice_motion(q.motion_b));
+        ASSERT_EQ(small.has_value(), large.has_value());
+        if (small) {
+            ASSERT_EQ(small->t, large->t);
+            ASSERT_EQ(small->normal, large->normal);
+            ASSERT_EQ(small->point * 2.0, large->point);
+        }
+        const auto inside = pair_overlap(q.a, q.motion_a.to, q.b, q.motion_b.to);
+        const auto larger = pair_overlap(twice(q.a), q.motion_a.to * 2.0, twice(q.b), q.motion_b.to * 2.0);
+        ASSERT_EQ(inside.has_value(), larger.has_value());
+        if (inside) {
+            ASSERT_EQ(inside->depth * 2, larger->depth);
+            ASSERT_EQ(inside->normal, larger->normal);
+        }
+    });
+}
+
 TEST(Pair, coinciding_shapes_have_a_way_out) {
     Random random(4);
     for (int kind_a = 0; kind_a < 6; ++kind_a) {
         for (int kind_b = 0; kind_b < 6; ++kind_b) {
-            const auto overlap =
-                pair_overlap(test::some_shape(random, kind_a), {1, 2, 3}, test::some_shape(random, kind_b), {1, 2, 3});
+            const auto overlap = pair_overlap(tests::some_shape(random, kind_a), {1, 2, 3},
+                                              tests::some_shape(random, kind_b), {1, 2, 3});
             ASSERT_TRUE(overlap);
             EXPECT_EQ(overlap->status, HitStatus::ok);
-            EXPECT_NEAR(static_cast<double>(length(test::point(overlap->normal))), 1, 1e-14);
+            EXPECT_NEAR(static_cast<double>(length(tests::point(overlap->normal))), 1, 1e-14);
         }
     }
 }
