@@ -157,10 +157,10 @@ private:
         const double along = (answer_.normal.x * d.x + answer_.normal.y * d.y + answer_.normal.z * d.z);
         const double speed = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
         if (along < -1e-6 * speed) return {Verdict::right, gap, "a hit"};
-        const bool is_miss = is_exact_miss();
-        if (is_miss && start_signs(query_, answer_.t).slope != -1)
+        if (start_signs(query_, answer_.t).slope == -1) return {Verdict::right, gap, "a hit, approaching slowly"};
+        if (is_exact_miss())
             return {Verdict::false_hit, gap, "it passes near the triangle, and does not approach it at t"};
-        return {Verdict::right, gap, is_miss ? "passes within the bound" : "a hit"};
+        return {Verdict::right, gap, "a grazing hit"};
     }
 
     /// Normal, point and feature of a hit whose time is right.

@@ -117,13 +117,16 @@ public:
             const int real = sign_of(size);
             if (real == 0) continue;
             if (real == unsure) return unsure;
-            N gap = dot(normal, corners_[0]);
-            for (int j = 1; j < count_; ++j) {
-                const N here = dot(normal, corners_[j]);
+            N gap = dot(normal, frame_.w[0]);
+            for (int j = 1; j < 3; ++j) {
+                const N here = dot(normal, frame_.w[j]);
                 const int less = sign_of(here - gap);
                 if (less == unsure) return unsure;
                 if (less < 0) gap = here;
             }
+            const V3<N>& s = frame_.size;
+            const N tall = s.y * abs(normal.y);
+            gap = gap - (frame_.kind == Kind::box ? s.x * abs(normal.x) + tall + s.z * abs(normal.z) : tall);
             const int apart = sign_of(gap);
             if (apart == unsure) return unsure;
             if (apart > 0) return 0;

@@ -18,7 +18,7 @@ struct Tally {
     std::uint64_t hits = 0;
     std::array<std::uint64_t, verdict_count> verdicts{};
     double worst_gap = 0;  ///< of the hits that are right, relative to the bound
-    double seconds = 0;    ///< of one thread, sweep and judge together
+    double seconds = 0;    ///< of computing, sweep and judge together
 
     [[nodiscard]] std::uint64_t count(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
     [[nodiscard]] std::uint64_t failures() const { return queries - count(Verdict::right); }

@@ -184,9 +184,11 @@ bool Examination::find_any_spanned(double t, bool strict) {
     return false;
 }
 
-bool Examination::find_curved(const Local<Quad>& local, double t, bool strict) {
-    CurvedNormals<Quad> normals(query_.kind, local.size, local.d);
-    V3<Quad> corners[6];
+/// Cylinder and cone: the normals along which they can be nearest to the prism that the triangle sweeps.
+template <class F>
+bool Examination::find_curved(const Local<F>& local, double t, bool strict) {
+    CurvedNormals<F> normals(query_.kind, local.size, local.d);
+    V3<F> corners[6];
     const int count = sweep_corners(local, t, corners);
     for (int i = 0; i < count; ++i) normals.add_corner(corners[i]);
     for (int i = 0; i < 3; ++i) {
@@ -199,20 +201,32 @@ bool Examination::find_curved(const Local<Quad>& local, double t, bool strict) {
     }
     normals.add_face(cross(corners[1] - corners[0], corners[2] - corners[0]));
     auto found = normals.run();
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.gap > b.gap; });
-    for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 6); ++i)
+    const std::size_t tries = std::min<std::size_t>(found.size(), 6);
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(tries), found.end(),
+                      [](const auto& a, const auto& b) { return a.gap > b.gap; });
+    for (std::size_t i = 0; i < tries; ++i)
         if (separates(found[i].n, t, strict)) return true;
+    return false;
+}
+
+/// Numbers next to which even a wide float cannot hold the others.
+bool Examination::has_tiny_numbers() const {
+    const double tiny = 1e-25 * largest(query_);
+    for (const Vec* v : {&query_.from, &query_.to, &query_.a, &query_.b, &query_.c})
+        for (const double part : {v->x, v->y, v->z})
+            if (part != 0 && std::fabs(part) < tiny) return true;
     return false;
 }
 
 bool Examination::find_thoroughly(double t, bool strict) {
     if (query_.kind == Kind::box) return find_facets(exactly(), t, strict);
+    const bool curved = query_.kind == Kind::cylinder || query_.kind == Kind::cone;
+    if (find_facets(exactly(), t, strict) || (curved && find_curved(local_, t, strict))) return true;
     const Local<Quad> local(query_);
     const Nearest<Quad> found = nearest(t, local);
     if (try_direction(found, local, t, strict)) return true;
-    if (find_facets(exactly(), t, strict)) return true;
-    if (query_.kind == Kind::cylinder || query_.kind == Kind::cone) return find_curved(local, t, strict);
-    return find_spanned(found, t, strict) || find_any_spanned(t, strict);
+    if (curved) return find_curved(local, t, strict);
+    return find_spanned(found, t, strict) || (has_tiny_numbers() && find_any_spanned(t, strict));
 }
 
 double Examination::support(const V3<double>& n) const {
