@@ -240,11 +240,16 @@ TEST(Import, vertices_that_are_not_finite_are_refused_with_their_place) {
 
 TEST(Import, a_gltf_that_needs_more_than_is_read_here_is_refused_by_name) {
     const Folder folder;
-    const Error error = refused(folder.write(
-        "packed.glb",
-        glb(gltf(R"({"mesh":0})", "0", {}, R"(,"extensionsRequired":["EXT_meshopt_compression"])"), gltf_buffer())));
-    EXPECT_EQ(error.code, ErrorCode::unsupported);
-    EXPECT_NE(error.text.find("EXT_meshopt_compression"), std::string::npos);
+    for (const std::string needs :
+         {R"("extensionsRequired":["EXT_meshopt_compression"])", R"("extensionsUsed":["EXT_mesh_gpu_instancing"])"}) {
+        const std::string text = gltf(R"({"mesh":0})", "0", {}, "," + needs);
+        const Error error = refused(folder.write("needs.glb", glb(text, gltf_buffer())));
+        EXPECT_EQ(error.code, ErrorCode::unsupported);
+        EXPECT_NE(error.text.find("EXT_mesh"), std::string::npos);
+    }
+    const std::string harmless =
+        R"(,"extensionsUsed":["KHR_materials_unlit"],"extensionsRequired":["KHR_materials_unlit"])";
+    good(folder.write("unlit.glb", glb(gltf(R"({"mesh":0})", "0", {}, harmless), gltf_buffer())));
 }
 
 TEST(Import, a_gltf_whose_nodes_go_round_in_a_circle_does_no_harm) {

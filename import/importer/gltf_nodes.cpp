@@ -144,6 +144,13 @@ bool is_harmless(const std::string& extension) {
            extension == "KHR_xmp_json_ld";
 }
 
+Error unread(const Json& extension) {
+    return {.code = ErrorCode::unsupported,
+            .text = "it needs the glTF extension " + extension.dump(-1, ' ', true, Json::error_handler_t::replace) +
+                    ", which is not read here; export it without compression and extensions",
+            .file = {}};
+}
+
 }  // namespace
 
 Expected<GltfExtras> read_gltf_extras(const std::string& path, const internal::Placement& placement) {
@@ -155,11 +162,12 @@ Expected<GltfExtras> read_gltf_extras(const std::string& path, const internal::P
         return tl::unexpected(unreadable("it does not say that it is glTF 2"));
     }
     for (const Json& extension : member(root, "extensionsRequired")) {
-        if (extension.is_string() && is_harmless(extension.get<std::string>())) continue;
-        return tl::unexpected(Error{.code = ErrorCode::unsupported,
-                                    .text = "it needs the glTF extension " + extension.dump() +
-                                            ", which is not read here; export it without compression and extensions",
-                                    .file = {}});
+        if (!extension.is_string() || !is_harmless(extension.get<std::string>()))
+            return tl::unexpected(unread(extension));
+    }
+    // Allowed to be merely used, and then whole forests would be missing.
+    for (const Json& extension : member(root, "extensionsUsed")) {
+        if (extension == "EXT_mesh_gpu_instancing") return tl::unexpected(unread(extension));
     }
     GltfExtras extras;
     extras.markers = Walker(root, placement).walk();
