@@ -27,10 +27,17 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
     Contact contact;
     contact.corners = planes.touched_corners(plane.normal);
-    const Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
+    Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
+    if (outside_by(query.shape, point) > margin) {
+        // The corners of a sliver are so nearly in a row that the plane cannot tell on which of them the shape is.
+        for (const unsigned part : {3U, 6U, 5U, 7U}) {
+            const Vec other = point_on_part(query.shape, at_touch, part, margin);
+            if (outside_by(query.shape, other) < outside_by(query.shape, point)) point = other;
+        }
+    }
     contact.point = point + touching;
     const bool overlaps = gap < -margin;
-    if (overlaps && !is_in_shape(query.shape, contact.point - here, margin)) {
+    if (overlaps && outside_by(query.shape, contact.point - here) > margin) {
         const Vec now[3] = {query.corners[0] - here, query.corners[1] - here, query.corners[2] - here};
         contact.point = deepest_on_triangle(query.shape, now, margin) + here;
         contact.is_on_part = false;

@@ -200,30 +200,26 @@ Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double marg
         shape);
 }
 
-bool is_in_shape(const Shape& shape, const Vec& p, double margin) noexcept {
+double outside_by(const Shape& shape, const Vec& p) noexcept {
     return std::visit(Overloaded{
-                          [&](const Sphere& sphere) { return length(p) <= sphere.radius + margin; },
+                          [&](const Sphere& sphere) { return length(p) - sphere.radius; },
                           [&](const Ellipsoid& ellipsoid) {
-                              // The margin along the longest radius, where it counts the least.
                               const Vec radii = to_vec(ellipsoid.radii);
-                              return length(divide_each(p, radii)) <= 1 + margin / largest(radii);
+                              return (length(divide_each(p, radii)) - 1) * smaller(radii.x, smaller(radii.y, radii.z));
                           },
                           [&](const Capsule& capsule) {
                               const Vec up{0, capsule.half_height, 0};
-                              return length(p - nearest_on_segment(p, -up, up)) <= capsule.radius + margin;
+                              return length(p - nearest_on_segment(p, -up, up)) - capsule.radius;
                           },
                           [&](const Box& box) {
                               const Vec half = to_vec(box.half_extents);
-                              return absolute(p.x) <= half.x + margin && absolute(p.y) <= half.y + margin &&
-                                     absolute(p.z) <= half.z + margin;
+                              return larger(absolute(p.x) - half.x,
+                                            larger(absolute(p.y) - half.y, absolute(p.z) - half.z));
                           },
                           [&](const Cylinder& cylinder) {
-                              return absolute(p.y) <= cylinder.half_height + margin &&
-                                     sideways_length(p) <= cylinder.radius + margin;
+                              return larger(absolute(p.y) - cylinder.half_height, sideways_length(p) - cylinder.radius);
                           },
-                          [&](const Cone& cone) {
-                              return p.y >= -margin && p.y <= cone.height + margin && height_in_cone(cone, p) <= margin;
-                          },
+                          [&](const Cone& cone) { return larger(p.y - cone.height, height_in_cone(cone, p)); },
                       },
                       shape);
 }

@@ -12,7 +12,8 @@ namespace surefoot::internal {
 [[nodiscard]] Vec deepest_on_segment(const Shape& shape, const Vec& a, const Vec& b, double margin) noexcept;
 [[nodiscard]] Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double margin) noexcept;
 
-/// Is the point in the shape, or outside by no more than the margin?
-[[nodiscard]] bool is_in_shape(const Shape& shape, const Vec& point, double margin) noexcept;
+/// How far outside the shape a point is, by a measure that is 0 on its surface, at most the distance outside and
+/// negative inside [m].
+[[nodiscard]] double outside_by(const Shape& shape, const Vec& point) noexcept;
 
 }  // namespace surefoot::internal

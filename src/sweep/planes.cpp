@@ -99,10 +99,16 @@ Plane Planes::shallowest() const noexcept {
         if (best == nullptr || depth_of(plane) < depth_of(*best)) best = &plane;
     }
     if (best == nullptr) return {};
-    // Of several as near, the one that the motion closes on the fastest.
+    // Of several as near, one that the motion closes on; of those, the one that touches the most of the triangle.
     const double least = depth_of(*best) + hair() * (squashed ? 1 / reach_against(query_.shape, best->normal) : 1);
+    const auto rank = [&](const Plane& plane) {
+        return (plane.approach < 0 ? 4 : 0) + std::popcount(touched_corners(plane.normal));
+    };
+    int highest = rank(*best);
     for (const Plane& plane : all()) {
-        if (depth_of(plane) <= least && plane.approach < best->approach) best = &plane;
+        if (depth_of(plane) > least || rank(plane) <= highest) continue;
+        highest = rank(plane);
+        best = &plane;
     }
     return *best;
 }
