@@ -236,5 +236,31 @@ TEST(Sweep, a_trace_tells_which_planes_were_asked_and_what_was_decided) {
     EXPECT_EQ(last, hit->t);
 }
 
+TEST(Sweep, a_trace_names_the_edge_or_vertex_in_the_callers_order) {
+    const auto decisive = [](const Motion& motion, const Triangle& triangle) {
+        std::array<TraceRecord, 64> room;
+        Trace trace(room);
+        const auto hit = sweep(Sphere{0.5}, motion, triangle, {}, &trace);
+        EXPECT_TRUE(hit.has_value());
+        TraceRecord last;
+        for (const TraceRecord& record : trace.records()) {
+            if (record.verdict == Verdict::enters && record.t == hit->t) last = record;
+        }
+        return last;
+    };
+    // The far edge, from a at x = -5 to c at x = 5, met from outside; as ca, as ab, as bc.
+    const Motion to_far_edge{{0, 0.25, -9}, {0, 0.25, 0}};
+    const dvec3 a(-5, 0, -5);
+    const dvec3 b(0, 0, 5);
+    const dvec3 c(5, 0, -5);
+    EXPECT_EQ(decisive(to_far_edge, {a, b, c}).feature_index, 2);
+    EXPECT_EQ(decisive(to_far_edge, {a, c, b}).feature_index, 0);
+    EXPECT_EQ(decisive(to_far_edge, {b, a, c}).feature_index, 1);
+    const Motion to_tip{{0, 0.25, 9}, {0, 0.25, 0}};
+    EXPECT_EQ(decisive(to_tip, {a, b, c}).feature, Feature::vertex);
+    EXPECT_EQ(decisive(to_tip, {a, b, c}).feature_index, 1);
+    EXPECT_EQ(decisive(to_tip, {c, a, b}).feature_index, 2);
+}
+
 }  // namespace
 }  // namespace surefoot

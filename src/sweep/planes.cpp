@@ -137,9 +137,28 @@ void Planes::record(const Plane& plane, Verdict verdict, double t) noexcept {
     entry.gap_to = plane.gap + plane.approach;
     entry.t = t;
     entry.feature = feature_of(query_, corners);
+    entry.feature_index = index_in_triangle(query_, corners);
     entry.verdict = verdict;
     entry.triangle = query_.triangle_id;
     trace_->push(entry);
+}
+
+std::uint8_t index_in_triangle(const SweepQuery& query, unsigned corners) noexcept {
+    // In the caller's order: a vertex is its own number, an edge that of the corner it starts at.
+    unsigned original = 0;
+    for (unsigned i = 0; i < 3; ++i) {
+        if ((corners & (1U << i)) != 0) original |= 1U << query.original[i];
+    }
+    switch (original) {
+        case 2:      // b
+        case 2 | 4:  // bc
+            return 1;
+        case 4:      // c
+        case 4 | 1:  // ca
+            return 2;
+        default:
+            return 0;
+    }
 }
 
 Feature feature_of(const SweepQuery& query, unsigned corners) noexcept {

@@ -97,6 +97,10 @@ private:
     bool apart_ = false;
 };
 
+/// Which edge (0: ab, 1: bc, 2: ca) or vertex (0: a, 1: b, 2: c) of the caller's triangle a set of corners is; 0 for a
+/// face.
+[[nodiscard]] std::uint8_t index_in_triangle(const SweepQuery& query, unsigned corners) noexcept;
+
 /// Which part of the triangle a set of corners is.
 [[nodiscard]] Feature feature_of(const SweepQuery& query, unsigned corners) noexcept;
 
