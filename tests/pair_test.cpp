@@ -345,6 +345,33 @@ TEST(Pair, scaling_everything_by_two_scales_the_answer_bit_for_bit) {
     });
 }
 
+TEST(Pair, two_of_a_kind_meet_as_the_ellipsoid_of_their_sum) {
+    // Squashed by (0.8, 1.8, 0.8) they pass at 0.6 of the unit ball: 3-4-5 again, 0.8 before the closest approach.
+    const Ellipsoid body{{0.4, 0.9, 0.4}};
+    const Motion past{.from = {-8, 1.08, 0}, .to = {8, 1.08, 0}};
+    const auto hit = pair_sweep(body, past, body, dvec3(0, 0, 0));
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->t, (8 - 0.64) / 16, 1e-9);
+    EXPECT_NEAR(hit->point.x, -0.32, 1e-6);
+    EXPECT_NEAR(hit->point.y, 0.54, 1e-6);
+    Random random(9);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Question q = random_question(random, 1, 1);
+        const double scale = random.octaves(0.5, 2);
+        q.b = Volume(Ellipsoid{std::get<Ellipsoid>(q.a.shape).radii * scale}, q.a.orientation);
+        const auto met = pair_sweep(q.a, q.motion_a, q.b, q.motion_b);
+        if (!met || met->started_inside) continue;
+        ++hits;
+        const Point x = difference(at(q.motion_a, met->t), at(q.motion_b, met->t));
+        EXPECT_GT(gap_along(q.a, x, q.b, tests::point(met->normal)), -1e-12L);
+        EXPECT_LT(largest_gap(q.a, x, q.b, {tests::point(met->normal)}), 1e-8L);
+        const Point place_a = tests::point(at(q.motion_a, met->t));
+        EXPECT_TRUE(tests::is_within(q.a, tests::point(met->point) - place_a, -1e-5L));
+    }
+    EXPECT_GT(hits, 300);
+}
+
 TEST(Pair, coinciding_shapes_have_a_way_out) {
     Random random(4);
     for (int kind_a = 0; kind_a < 6; ++kind_a) {

@@ -4,7 +4,8 @@
 ///  - sphere, capsule, box and cylinder among themselves, as long as their axes agree (all upright, or all turned the
 ///    same way; a sphere agrees with everything; capsules and cylinders may spin about their own axis): closed form;
 ///  - box against box and capsule against capsule, turned any way: closed form;
-///  - everything else, ellipsoids and cones among it: conservative advancement over the distance of the two shapes, in
+///  - two ellipsoids of the same proportions, turned alike: closed form while they are apart;
+///  - everything else, other ellipsoids and cones among it: conservative advancement over the distance of the two shapes, in
 ///  a
 ///    bounded number of steps.
 ///

@@ -8,6 +8,7 @@
 #include "pair/advance.hpp"
 #include "pair/boxes.hpp"
 #include "pair/capsules.hpp"
+#include "pair/ellipsoids.hpp"
 #include "pair/general.hpp"
 #include "pair/upright.hpp"
 #include "pair/way_out.hpp"
@@ -89,8 +90,15 @@ auto with_family(Relative& r, const Use& use) noexcept {
     if (const auto upright = UprightPair::of(r.pair)) return use(*upright);
     if (const auto boxes = BoxPair::of(r.pair)) return use(*boxes);
     if (const auto capsules = CapsulePair::of(r.pair)) return use(*capsules);
+    if (const auto ellipsoids = SimilarEllipsoids::of(r.pair)) return use(*ellipsoids);
     r.hair = larger(pair_search_tolerance * sizes, rounding);
     return use(GeneralPair(r.pair, r.hair));
+}
+
+// Out of two cores that overlap deeper than their family can tell. This is a search, whatever the family.
+std::optional<Gap> deep_way_out(const Relative& r) noexcept {
+    const double hair = larger(r.hair, pair_search_tolerance * (r.pair.a.size() + r.pair.b.size()));
+    return way_out(GeneralPair(r.pair, hair), r.pair, r.x, hair);
 }
 
 bool has_closest(const Shape& shape) noexcept {
@@ -154,7 +162,7 @@ std::optional<PairOverlap> pair_overlap(const Volume& a, const dvec3& position_a
     Relative r = relative(a, to_vec(position_a) - to_vec(position_b), b, {});
     Gap gap = with_family(r, [&](const auto& pairing) noexcept { return pairing.gap_at(r.x); });
     if (gap.is_deep) {
-        const auto way = way_out(GeneralPair(r.pair, r.hair), r.pair, r.x, r.hair);
+        const auto way = deep_way_out(r);
         if (!way) {
             result.status = HitStatus::overflow;
             return result;
@@ -186,7 +194,7 @@ std::optional<PairHit> pair_sweep(const Volume& a, const Motion& motion_a, const
         Advance way = advance(pairing, r.pair, r.x, r.motion, r.hair);
         if (way.outcome == Advance::Outcome::starts_touching) {
             if (way.gap.is_deep) {
-                const auto out = way_out(GeneralPair(r.pair, r.hair), r.pair, r.x, r.hair);
+                const auto out = deep_way_out(r);
                 if (!out) {
                     way.outcome = Advance::Outcome::overflows;
                     return way;
