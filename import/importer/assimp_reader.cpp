@@ -14,6 +14,7 @@
 #include "format.hpp"
 #include "gltf_nodes.hpp"
 #include "level_builder.hpp"
+#include "ply_header.hpp"
 #include "pose.hpp"
 
 namespace surefoot::importer {
@@ -196,16 +197,16 @@ private:
     }
 };
 
-bool ends_in_gltf(const std::string& path) {
-    const auto format = internal::format_of(path);
-    return format && (*format == internal::Format::gltf || *format == internal::Format::glb);
-}
-
 }  // namespace
 
 Expected<ImportedLevel> read_with_assimp(const std::string& path, const Placement& placement, std::uint64_t bytes) {
+    const auto format = internal::format_of(path);
+    if (!format) return tl::unexpected(format.error());
+    if (*format == internal::Format::ply) {
+        if (auto error = check_ply_header(path)) return tl::unexpected(std::move(*error));
+    }
     std::optional<GltfExtras> gltf;
-    if (ends_in_gltf(path)) {
+    if (*format == internal::Format::gltf || *format == internal::Format::glb) {
         auto extras = read_gltf_extras(path, placement);
         if (!extras) return tl::unexpected(extras.error());
         gltf = std::move(*extras);
