@@ -110,8 +110,14 @@ private:
             if (signs.slope == -1) return {Verdict::miss, 0, "in touch at the start and going deeper"};
             return {Verdict::unproved, 0, "in touch at the start; the slope is not decided"};
         }
+        // g is convex: apart and not approaching, it stays apart. The same read backwards from the end.
+        if (signs.depth == 1 && (signs.slope == 0 || signs.slope == 1))
+            return {Verdict::right, 0, "apart, and not approaching"};
         if (examination_.find_thoroughly(1, true)) return {Verdict::right, 0, "a plane separates"};
-        if (examination_.overlaps_within(1) || start_signs(query_, 1).depth <= 0)
+        const StartSigns end = start_signs(query_, 1);
+        if (end.depth == 1 && (end.slope == 0 || end.slope == -1))
+            return {Verdict::right, 0, "apart at the end, and approaching until then"};
+        if (end.depth <= 0 || examination_.overlaps_within(1))
             return {Verdict::miss, 0, "the shape reaches the triangle"};
         return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};
     }
@@ -215,7 +221,10 @@ private:
         return most;
     }
 
-    [[nodiscard]] bool is_deep() const { return answer_.t == 0 && start_gap_ < -bound_; }
+    /// By more than the bound, in the units of `start_gap_`.
+    [[nodiscard]] bool is_deep() const {
+        return answer_.t == 0 && start_gap_ < -bound_ / (query_.kind == Kind::ellipsoid ? reach_ : 1);
+    }
 
     bool is_on_feature(const Placement& placement, const V3<double>& n) const {
         if (answer_.feature == Feature::vertex) return placement.on_vertex;

@@ -165,7 +165,7 @@ bool Examination::find_spanned(const Nearest<Quad>& found, double t, bool strict
     return try_span(p, count, t, strict);
 }
 
-/// Ball-like shapes, when even wide floats cannot tell corners apart (an ulp of zero is 5e-324): all there are.
+/// Ball-like shapes, when even wide floats cannot tell corners apart (an ulp of an ulp, or of zero): all there are.
 bool Examination::find_any_spanned(double t, bool strict) {
     const int mates = query_.kind == Kind::capsule ? 2 : 1, count = 6 * mates;
     V3<Dyadic> all[12];
@@ -209,15 +209,6 @@ bool Examination::find_curved(const Local<F>& local, double t, bool strict) {
     return false;
 }
 
-/// Numbers next to which even a wide float cannot hold the others.
-bool Examination::has_tiny_numbers() const {
-    const double tiny = 1e-25 * largest(query_);
-    for (const Vec* v : {&query_.from, &query_.to, &query_.a, &query_.b, &query_.c})
-        for (const double part : {v->x, v->y, v->z})
-            if (part != 0 && std::fabs(part) < tiny) return true;
-    return false;
-}
-
 bool Examination::find_thoroughly(double t, bool strict) {
     if (query_.kind == Kind::box) return find_facets(exactly(), t, strict);
     const bool curved = query_.kind == Kind::cylinder || query_.kind == Kind::cone;
@@ -226,7 +217,7 @@ bool Examination::find_thoroughly(double t, bool strict) {
     const Nearest<Quad> found = nearest(t, local);
     if (try_direction(found, local, t, strict)) return true;
     if (curved) return find_curved(local, t, strict);
-    return find_spanned(found, t, strict) || (has_tiny_numbers() && find_any_spanned(t, strict));
+    return find_spanned(found, t, strict) || find_any_spanned(t, strict);
 }
 
 double Examination::support(const V3<double>& n) const {

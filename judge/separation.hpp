@@ -58,7 +58,6 @@ private:
     [[nodiscard]] double reach_by_search(const Local<F>& local, double t, int steps);
     template <class F>
     [[nodiscard]] bool find_curved(const Local<F>& local, double t, bool strict);
-    [[nodiscard]] bool has_tiny_numbers() const;
     [[nodiscard]] bool find_spanned(const Nearest<Quad>& found, double t, bool strict);
     [[nodiscard]] bool find_any_spanned(double t, bool strict);
     [[nodiscard]] V3<Dyadic> corner_exactly(int corner, int mate, double t);
