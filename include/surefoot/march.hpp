@@ -35,8 +35,8 @@ private:
     dvec3 (*call_)(const void*, double);
 };
 
-/// The path of a thrown or jumping body without drag: from + velocity * (t * duration) + gravity * (t * duration)^2
-/// / 2.
+/// The path of a thrown or jumping body without drag: with s = t * duration,
+/// from + velocity * s + gravity * s^2 / 2.
 struct JumpArc {
     dvec3 from{0, 0, 0};         ///< [m]
     dvec3 velocity{0, 5, 0};     ///< at the start [m/s]

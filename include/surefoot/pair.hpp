@@ -5,9 +5,8 @@
 ///    same way; a sphere agrees with everything; capsules and cylinders may spin about their own axis): closed form;
 ///  - box against box and capsule against capsule, turned any way: closed form;
 ///  - two ellipsoids of the same proportions, turned alike: closed form while they are apart;
-///  - everything else, other ellipsoids and cones among it: conservative advancement over the distance of the two shapes, in
-///  a
-///    bounded number of steps.
+///  - everything else, other ellipsoids and cones among it: conservative advancement over the distance of the two
+///    shapes, in a bounded number of steps.
 ///
 /// All of them are judged by planes between the two shapes, so none of them can be late by more than rounding. Both are
 /// called touching while the gap is at most the tolerance below (or 2^-44 of their distance or motion, if that is more:
