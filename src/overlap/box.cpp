@@ -3,31 +3,11 @@
 // products). These are the 13 axes of the separating axis test; both ways along each of them are considered.
 #include "overlap/closest.hpp"
 #include "overlap/ways.hpp"
+#include "polygon.hpp"
 
 namespace surefoot::internal {
 
 namespace {
-
-// The part of the triangle within a box, by cutting with one plane after another (Sutherland and Hodgman, 1974).
-struct Polygon {
-    Vec corner[9];
-    int count = 0;
-};
-
-Polygon cut(const Polygon& polygon, const Vec& outward, double limit) noexcept {
-    Polygon kept;
-    for (int i = 0; i < polygon.count; ++i) {
-        const Vec& a = polygon.corner[i];
-        const Vec& b = polygon.corner[i + 1 == polygon.count ? 0 : i + 1];
-        const double a_over = dot(outward, a) - limit;
-        const double b_over = dot(outward, b) - limit;
-        if (a_over <= 0 && kept.count < 9) kept.corner[kept.count++] = a;
-        if (((a_over < 0 && b_over > 0) || (a_over > 0 && b_over < 0)) && kept.count < 9) {
-            kept.corner[kept.count++] = a + (b - a) * (a_over / (a_over - b_over));
-        }
-    }
-    return kept;
-}
 
 // The middle of what the triangle's farthest feature and the box, moved out, have in common.
 ClosestPoint middle_of_contact(const Box& shape, const TriangleProblem& triangle, const WayOut& way,
@@ -37,21 +17,18 @@ ClosestPoint middle_of_contact(const Box& shape, const TriangleProblem& triangle
     const Vec moved = way.normal * way.depth;
     Polygon polygon;
     if (far.feature == Feature::edge) {
-        polygon.corner[polygon.count++] = triangle.corner[far.index] - moved;
-        polygon.corner[polygon.count++] = triangle.corner[far.index == 2 ? 0 : far.index + 1] - moved;
+        polygon.add(triangle.corner[far.index] - moved);
+        polygon.add(triangle.corner[far.index == 2 ? 0 : far.index + 1] - moved);
     } else {
-        for (const Vec& corner : triangle.corner) polygon.corner[polygon.count++] = corner - moved;
+        for (const Vec& corner : triangle.corner) polygon.add(corner - moved);
     }
     const Vec half = to_vec(shape.half_extents) + Vec{1, 1, 1} * (8 * hair);
     const Vec axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double limits[3] = {half.x, half.y, half.z};
     for (int i = 0; i < 3; ++i) {
-        polygon = cut(polygon, axes[i], limits[i]);
-        polygon = cut(polygon, -axes[i], limits[i]);
+        polygon = polygon.clipped(axes[i], limits[i]).clipped(-axes[i], limits[i]);
     }
-    Vec middle;
-    for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.corner[i] / polygon.count;
-    return closest_to_point(triangle, middle + moved);
+    return closest_to_point(triangle, (polygon.count > 0 ? polygon.middle() : Vec{}) + moved);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "nearest.hpp"
 #include "overloaded.hpp"
+#include "polygon.hpp"
 
 namespace surefoot::internal {
 
@@ -21,31 +22,9 @@ double sideways_length(const Vec& v) noexcept {
     return std::sqrt(v.x * v.x + v.z * v.z);
 }
 
-// A convex polygon: a triangle clipped by up to six planes.
-struct Polygon {
-    Vec points[12];
-    int count = 0;
-};
-
-// What lies at or below `bound` along the axis (Sutherland and Hodgman).
-Polygon clipped(const Polygon& polygon, const Vec& axis, double bound) noexcept {
-    Polygon result;
-    for (int i = 0; i < polygon.count; ++i) {
-        const Vec& here = polygon.points[i];
-        const Vec& next = polygon.points[(i + 1) % polygon.count];
-        const double over = dot(here, axis) - bound;
-        const double over_next = dot(next, axis) - bound;
-        if (over <= 0 && result.count < 12) result.points[result.count++] = here;
-        if (((over < 0 && over_next > 0) || (over > 0 && over_next < 0)) && result.count < 12) {
-            result.points[result.count++] = here + (next - here) * (over / (over - over_next));
-        }
-    }
-    return result;
-}
-
 Polygon clipped_between(const Vec (&corners)[3], const Vec& axis, double low, double high) noexcept {
     const Polygon whole{{corners[0], corners[1], corners[2]}, 3};
-    return clipped(clipped(whole, axis, high), -axis, -low);
+    return whole.clipped(axis, high).clipped(-axis, -low);
 }
 
 // The part of a segment, as shares, whose coordinate along an axis lies in [low, high].
@@ -175,12 +154,9 @@ Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double marg
                 Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
                 for (const Vec& axis : axes) {
                     const double bound = dot(to_vec(box.half_extents), axis) + margin;
-                    polygon = clipped(clipped(polygon, axis, bound), -axis, bound);
+                    polygon = polygon.clipped(axis, bound).clipped(-axis, bound);
                 }
-                if (polygon.count == 0) return nearest_on_triangle({}, corners);
-                Vec middle;
-                for (int i = 0; i < polygon.count; ++i) middle = middle + polygon.points[i];
-                return middle / polygon.count;
+                return polygon.count == 0 ? nearest_on_triangle({}, corners) : polygon.middle();
             },
             [&](const Cylinder& cylinder) {
                 const double bound = cylinder.half_height + margin;
