@@ -236,6 +236,23 @@ TEST(Sweep, a_trace_tells_which_planes_were_asked_and_what_was_decided) {
     EXPECT_EQ(last, hit->t);
 }
 
+TEST(Sweep, a_trace_says_that_the_start_was_in_touch) {
+    std::array<TraceRecord, 128> room;
+    for (const double rise : {-0.25, 0.25}) {
+        Trace trace(room);
+        const auto hit = sweep(Sphere{0.5}, {{0, 0.5, 0}, {1, 0.5 + rise, 0}}, floor_triangle, {}, &trace);
+        EXPECT_EQ(hit.has_value(), rise < 0);
+        int contacts = 0;
+        for (const TraceRecord& record : trace.records()) {
+            if (record.verdict != Verdict::contact) continue;
+            ++contacts;
+            EXPECT_NEAR(record.normal.y, 1, 1e-12);
+            EXPECT_NEAR(record.gap_from, 0, 1e-12);
+        }
+        EXPECT_EQ(contacts, 1);
+    }
+}
+
 TEST(Sweep, a_trace_names_the_edge_or_vertex_in_the_callers_order) {
     const auto decisive = [](const Motion& motion, const Triangle& triangle) {
         std::array<TraceRecord, 64> room;

@@ -19,7 +19,7 @@ enum class Verdict : std::uint8_t {
     enters,     ///< the motion crosses this plane inwards, at `t`; the last of these is the answer
     leaves,     ///< the motion crosses this plane outwards, at `t`
     inside,     ///< the motion is behind this plane all along: it decides nothing
-    contact,    ///< at `from` the shape touches or overlaps; the sign of the approach decided exactly
+    contact,    ///< at `from` they touch or overlap, here the least; whether the motion goes deeper is decided exactly
     decided,    ///< the final answer of the query
 };
 

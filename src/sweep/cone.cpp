@@ -4,7 +4,8 @@
 // A side normal, from the triangle towards the cone, is (H h, R) with a sideways unit vector h: horizontally H h,
 // upwards R.
 //  - Side against edge e: the side normals perpendicular to e, h . e_h H + e.y R = 0: two of them, for any time.
-//  - Side against vertex: the vertex moves linearly and meets the cone |z_h| = k z_y, k = R / H: a quadratic in t.
+//  - Side against vertex: the plane through the apex and the line on which the vertex moves cuts the cone in two
+//    generators; the side normal of one of them is the entry's.
 //  - A motion that passes a vertex by: the side normals perpendicular to the motion.
 #include "exact/products.hpp"
 #include "fault.hpp"
@@ -33,61 +34,31 @@ void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes
     }
 }
 
-// z = corner - t * along, seen from the apex; the vertex is inside while |z_h| <= k z_y, z_y >= 0. A first root from
-// the quadratic, then planes: the side normal at the root gives a plane whose time is at or before the true one, from
-// there the next normal. That is Newton's method from the left on a convex function: it cannot overshoot, and three
-// steps restore the digits that the closed form loses when the motion runs along the side.
+// The plane through the apex and the line on which the vertex moves cuts the cone in two generators, or not at all. The
+// vertex enters on the one and leaves on the other (or on its mirror image below the apex). With P = vertex x motion
+// the normal of that plane, they are the generators perpendicular to P, and their side normals are those with h . P_h =
+// P.y H / R. The vertex is first lifted into the cone, by a few hairs along the side's normal, so that a motion that
+// grazes the side still cuts it at an angle.
 void consider_vertex(const SweepQuery& query, const Cone& cone, int vertex, Planes& planes) noexcept {
     const Vec& corner = query.corners[vertex];
-    const double k = cone.radius / cone.height;
-    const Vec& along = query.along;
-    const double along_h = std::sqrt(along.x * along.x + along.z * along.z);
-    const double squared = (along_h - k * absolute(along.y)) * (along_h + k * absolute(along.y));
-    const double half = -(corner.x * along.x + corner.z * along.z) + k * k * corner.y * along.y;
-    const double extent = norm1(along);
-
-    const auto consider_at = [&](double t) {
-        for (int step = 0; step < 3; ++step) {
-            const Vec z = corner - along * t;
-            const Vec normal = unit(side_normal(cone, -z));
-            if (z.x == 0 && z.z == 0) return;
-            planes.consider(normal);
-            const double approach = dot(normal, along);
-            const double gap = -dot(normal, z);  // of this vertex alone, at t: the apex reaches no further
-            if (approach == 0) return;
-            const double next = t - gap / approach;
-            if (!(absolute(next) < 4) || next == t) return;
-            t = next;
-        }
-    };
-
-    if (extent == 0) {
-        consider_at(0);
+    if (query.along == Vec{}) {
+        planes.consider(side_normal(cone, -corner));
         return;
     }
-    if (absolute(squared) <= 0x1p-30 * extent * extent) {
-        // Nearly along a generator: nearly linear.
-        if (half != 0) {
-            const double z_h = std::sqrt(corner.x * corner.x + corner.z * corner.z);
-            const double constant = (z_h - k * corner.y) * (z_h + k * absolute(corner.y));
-            consider_at(-constant / (2 * half));
-        }
-        consider_at(0);
-        consider_at(1);
-        return;
-    }
-    // The extremum of the quadratic, and its value there from the position there, so that it keeps its digits.
-    const double middle = -half / squared;
-    const Vec z = corner - along * middle;
-    const double z_h = std::sqrt(z.x * z.x + z.z * z.z);
     const double side = std::sqrt(cone.radius * cone.radius + cone.height * cone.height);
-    const double lowered = absolute(z.y) + inflation * query.corner_hair(vertex) * side / cone.radius;
-    const double value = (z_h - k * lowered) * (z_h + k * lowered);
-    const double root_squared = -value / squared;
-    if (root_squared < 0) return;
-    const double root = std::sqrt(root_squared);
-    consider_at(middle - root);
-    consider_at(middle + root);
+    const Vec lifted{corner.x, corner.y + inflation * query.corner_hair(vertex) * side / cone.radius, corner.z};
+    const Vec p = accurate_cross(scaled_to_one(lifted), scaled_to_one(query.along));
+    const double sideways = std::sqrt(p.x * p.x + p.z * p.z);
+    if (sideways == 0) {
+        planes.consider(side_normal(cone, {1, 0, 0}));  // up or down the axis, through the apex: any side will do
+        return;
+    }
+    const double lean = p.y * cone.height / cone.radius;
+    if (absolute(lean) > sideways) return;
+    const double other = std::sqrt((sideways - lean) * (sideways + lean));
+    for (const double turn : {-other, other}) {
+        planes.consider(side_normal(cone, {lean * p.x - turn * p.z, 0, lean * p.z + turn * p.x}));
+    }
 }
 
 }  // namespace

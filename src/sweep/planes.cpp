@@ -128,7 +128,7 @@ unsigned Planes::touched_corners(const Vec& normal) const noexcept {
     return corners;
 }
 
-void Planes::record(const Plane& plane, Verdict verdict, double t) noexcept {
+void Planes::record(const Plane& plane, Verdict verdict, double t) const noexcept {
     if (trace_ == nullptr) return;
     const unsigned corners = touched_corners(plane.normal);
     TraceRecord entry;

@@ -70,6 +70,9 @@ public:
     /// considered.
     [[nodiscard]] Plane shallowest() const noexcept;
 
+    /// Tells the trace that shape and triangle are in touch at `from`, and where.
+    void record_contact(const Plane& nearest) const noexcept { record(nearest, Verdict::contact, 0); }
+
     /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.
     [[nodiscard]] unsigned touched_corners(const Vec& normal) const noexcept;
 
@@ -79,7 +82,7 @@ public:
     [[nodiscard]] double hair() const noexcept;
 
 private:
-    void record(const Plane& plane, Verdict verdict, double t) noexcept;
+    void record(const Plane& plane, Verdict verdict, double t) const noexcept;
 
     static constexpr int most_planes = 128;
 

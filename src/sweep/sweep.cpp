@@ -77,8 +77,10 @@ std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume,
         hit.triangle = query.triangle_id;
         return hit;
     }
+    const Plane nearest = planes.shallowest();
+    planes.record_contact(nearest);
     if (approach == Approach::no_closer && !has_fault(Fault::start_in_touch_always_blocks)) return std::nullopt;
-    Hit hit = describe(query, triangle, motion, planes, planes.shallowest(), 0);
+    Hit hit = describe(query, triangle, motion, planes, nearest, 0);
     hit.started_inside = planes.starts_inside();
     return hit;
 }

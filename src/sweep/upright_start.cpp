@@ -35,7 +35,14 @@ struct Outlook {
 Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept {
     const SweepQuery query(volume, motion, triangle, 0);
     double hair = 64 * query.shape_slack;
-    for (const double slack : query.corner_slack) hair += 64 * slack;
+    double extent = size_of(query.shape);
+    for (int i = 0; i < 3; ++i) {
+        hair += 64 * query.corner_slack[i];
+        extent += norm1(query.corners[i]);
+    }
+    // The normal at a rim loses digits where the triangle is much larger than the shape; its gap is trusted that much
+    // less.
+    const double rim_hair = 0x1p-20 * extent;
     const double slope_hair = 0x1p-40 * norm1(query.along);
     const UprightStart<double> with_rims = start_in_doubles(query, false);
     const int first_rim = start_in_doubles(query, true).count();
@@ -49,12 +56,13 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     for (int i = 0; i < 3; ++i) some_rim = some_rim || absolute(query.edge_direction(i).y) < hair;
     for (int i = 0; i < with_rims.count(); ++i) {
         const auto& plane = with_rims.plane(i);
-        if (plane.gap < nearest - hair) continue;
+        if (plane.gap < nearest - (i < first_rim ? hair : rim_hair)) continue;
         some_rim = some_rim || i >= first_rim;
         all_close = all_close && plane.approach < -slope_hair;
         all_open = all_open && plane.approach > slope_hair;
     }
-    outlook.decided = all_close || all_open;
+    // A motion near the end of the doubles' range has no digits left once it is turned.
+    outlook.decided = (all_close || all_open) && norm1(query.along) > 0x1p-900;
     outlook.approach = all_close ? Approach::deeper : Approach::no_closer;
     outlook.rims_matter = some_rim;
     return outlook;

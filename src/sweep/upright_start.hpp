@@ -143,7 +143,14 @@ private:
                               const Scalar& rim) noexcept {
         const Scalar sideways2 = edge.x * edge.x + edge.z * edge.z;
         const Scalar edge2 = sideways2 + edge.y * edge.y;
-        if (sign_of(sideways2) == 0 || sign_of(edge.y) == 0) return;
+        if (sign_of(edge.y) == 0) return;
+        if (sign_of(sideways2) == 0) {
+            // Seen along an upright edge the rim is the circle that it is. On its axis all directions are as near.
+            const bool on_axis = sign_of(corner.x) == 0 && sign_of(corner.z) == 0;
+            add(on_axis ? ExactVec<Scalar>{along_.x, Scalar(0.0), along_.z}
+                        : ExactVec<Scalar>{-corner.x, Scalar(0.0), -corner.z});
+            return;
+        }
         const Scalar sideways = square_root(sideways2);
         const Scalar size = square_root(edge2);
         const ExactVec<Scalar> across{-edge.z / sideways, Scalar(0.0), edge.x / sideways};
