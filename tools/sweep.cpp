@@ -75,8 +75,7 @@ std::string trace_text(const Trace& trace, const std::optional<Hit>& hit) {
     std::size_t rows = 0;
     Table table({"triangle", "proposed by", "verdict", "t", "gap at from [m]", "gap at to [m]", "normal"});
     for (const TraceRecord& r : trace.records()) {
-        const bool shown =
-            hit ? r.triangle == hit->triangle : r.verdict == Verdict::separates || r.verdict == Verdict::decided;
+        const bool shown = hit ? r.triangle == hit->triangle : r.verdict == Verdict::separates;
         if (!shown) continue;
         if (rows++ >= most_rows) {
             ++left_out;
@@ -84,13 +83,15 @@ std::string trace_text(const Trace& trace, const std::optional<Hit>& hit) {
         }
         const bool timed =
             r.verdict == Verdict::enters || r.verdict == Verdict::leaves || r.verdict == Verdict::decided;
+        const bool plane = r.verdict != Verdict::decided;
         table.add({std::to_string(r.triangle), feature_name(r), std::string(word(r.verdict)),
-                   timed ? short_number(r.t) : "-", short_number(r.gap_from), short_number(r.gap_to),
-                   short_vector(r.normal)});
+                   timed ? short_number(r.t) : "-", plane ? short_number(r.gap_from) : "-",
+                   plane ? short_number(r.gap_to) : "-", short_vector(r.normal)});
     }
     text += table.text();
     if (left_out > 0) text += fmt::format("  ... and {} more\n", left_out);
-    text += "The latest plane that the motion enters is the answer; one that separates is the proof of a miss.\n";
+    text += hit ? "The latest plane that the motion enters, before it leaves another, is where it stops.\n"
+                : "Each of these planes keeps the shape and its triangle apart on the whole way.\n";
     return text;
 }
 

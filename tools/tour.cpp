@@ -35,7 +35,7 @@ struct TourOptionsGiven {
     VolumeOptions volume;
     std::string out = "out";
     std::string size = "1280x800";
-    std::size_t legs = 40;
+    std::size_t legs = 0;  ///< 0: as many as suit the level
     bool json = false;
     bool no_pictures = false;
 };
@@ -112,18 +112,17 @@ bool floors_face_up(const Mesh& mesh) {
     return 4 * facing >= 3 * all;
 }
 
-std::vector<dvec3> waypoints_of(const Level& level, const char* kind) {
+std::vector<dvec3> markers_of(const Level& level, const char* kind) {
     std::vector<dvec3> points;
     for (const ImportedMarker& marker : level.markers)
         if (marker.kind == kind) points.push_back(marker.position);
     return points;
 }
 
-Route find_route(const Level& level, const Walker& walker) {
-    const std::vector<dvec3> waypoints = waypoints_of(level, "waypoint");
+Route find_route(const Level& level, const Walker& walker, std::span<const dvec3> waypoints) {
     std::vector<dvec3> starts;
     if (!waypoints.empty()) {
-        const std::vector<dvec3> spawns = waypoints_of(level, "spawn");
+        const std::vector<dvec3> spawns = markers_of(level, "spawn");
         const dvec3 ground = spawns.empty() ? waypoints.front() : spawns.front();
         starts.push_back(ground + dvec3(0, walker.half_size.y, 0));
     } else {
@@ -249,9 +248,16 @@ Shot overview(const Route& route, const Walker& walker, const Level& level) {
         shot.places.push_back(stop_of(leg));
     }
     shot.under = fmt::format("{}, {} triangles", file_name(level), grouped(level.mesh.triangle_count()));
-    for (const auto& [feature, name] :
-         {std::pair{Feature::face, "faces"}, {Feature::edge, "edges"}, {Feature::vertex, "vertices"}})
-        shot.legend.push_back({fmt::format("{} {}", route.contacts(feature), name), colour_of(feature), true});
+    struct Row {
+        Feature feature;
+        std::string_view one, many;
+    };
+    for (const Row& row : {Row{Feature::face, "face", "faces"}, Row{Feature::edge, "edge", "edges"},
+                           Row{Feature::vertex, "vertex", "vertices"}}) {
+        const std::size_t count = route.contacts(row.feature);
+        shot.legend.push_back(
+            {fmt::format("{} {}", count, count == 1 ? row.one : row.many), colour_of(row.feature), true});
+    }
     shot.legend.push_back(
         {fmt::format("{} sweeps, {} each", route.legs.size(), duration(totals_of(route).median_seconds)), {}, false});
     return shot;
@@ -326,11 +332,12 @@ void take(const Shot& shot, const Level& level, const Walker& walker, bool one_s
 ExitCode run_tour(TourOptionsGiven given) {
     const PictureSize size = picture_size(given.size);
     Walker walker = walker_of(given.volume);
-    walker.legs = given.legs;
     if (given.level.file.empty()) given.level.file = "levels/training-ground.glb";
     const Level level = load_level(given.level);
     const Clock::time_point start = Clock::now();
-    Route route = find_route(level, walker);
+    const std::vector<dvec3> waypoints = markers_of(level, "waypoint");
+    walker.legs = given.legs > 0 ? given.legs : waypoints.empty() ? 40 : 400;
+    Route route = find_route(level, walker, waypoints);
     const double found_in = std::chrono::duration<double>(Clock::now() - start).count();
     measure(level.mesh, walker, route);
     write_out(fmt::format("{}: {} triangles, read in {}, tree built in {}, route found in {}\n{} goes for a walk:\n\n",
@@ -358,7 +365,7 @@ void add_tour(CLI::App& program, Run& run) {
     given->volume.add_to(*command, false);
     command->add_option("--out", given->out, "The folder for the pictures (default: out)")->type_name("DIR");
     command->add_option("--size", given->size, "Of the pictures, in pixels (default: 1280x800)")->type_name("WxH");
-    command->add_option("--legs", given->legs, "How many sweeps to make (default: 40)")
+    command->add_option("--legs", given->legs, "How many sweeps to make at most (default: 40, or 400 along waypoints)")
         ->type_name("N")
         ->check(CLI::Range(1, 100000));
     command->add_flag("--no-pictures", given->no_pictures, "Print the table only");

@@ -45,9 +45,23 @@ public:
     [[nodiscard]] Route run(std::span<const dvec3> waypoints) {
         settle();
         std::size_t next = 0;
+        constexpr int patience = 4;  // turns in which nothing is gained
         int stuck = 0;
-        for (std::size_t turn = 0; route_.legs.size() < walker_.legs && stuck < 4; ++turn) {
-            while (next < waypoints.size() && flat_distance(position_, waypoints[next]) < gait_.stride) ++next;
+        int no_nearer = 0;
+        double nearest = 1e300;
+        for (std::size_t turn = 0; route_.legs.size() < walker_.legs && stuck < patience; ++turn) {
+            // On to the next waypoint when this one is reached, or when it cannot be.
+            while (next < waypoints.size() &&
+                   (flat_distance(position_, waypoints[next]) < gait_.stride || no_nearer == patience)) {
+                ++next;
+                no_nearer = 0;
+                nearest = 1e300;
+            }
+            if (next < waypoints.size()) {
+                const double distance = flat_distance(position_, waypoints[next]);
+                no_nearer = distance < nearest - 0.2 * gait_.stride ? 0 : no_nearer + 1;
+                nearest = std::min(nearest, distance);
+            }
             if (!waypoints.empty() && next == waypoints.size()) break;
             const dvec3 before = position_;
             const double length = gait_.stride * static_cast<double>(1 + turn * 7 % 3);

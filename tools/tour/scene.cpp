@@ -25,6 +25,14 @@ SweptEllipsoid body(const Walker& walker, const dvec3& from, const dvec3& to) {
         .from = from, .to = to, .radii = walker.half_size, .orientation = glm::normalize(walker.volume.orientation)};
 }
 
+/// The volume that the body sweeps, a little slimmer than the body itself, so that the two do not flicker where they
+/// meet.
+SweptEllipsoid sweep_volume(const Walker& walker, const dvec3& from, const dvec3& to) {
+    SweptEllipsoid volume = body(walker, from, to);
+    volume.radii *= 0.99;
+    return volume;
+}
+
 SweptEllipsoid rod(const dvec3& from, const dvec3& to, double radius) {
     return {.from = from, .to = to, .radii = dvec3(radius), .orientation = dquat(1, 0, 0, 0)};
 }
@@ -63,8 +71,10 @@ std::vector<Figure> figures_of(const Route& route, const Walker& walker) {
         // The way of the reference point, and on the longer ways the volume that the body sweeps.
         add(figures, {.solid = rod(leg.motion.from, stop, 0.03 * size), .colour = sweep_colour, .marker = true});
         if (leg.step == Step::walk && glm::length(stop - leg.motion.from) > 0.2 * size)
-            add(figures,
-                {.solid = body(walker, leg.motion.from, stop), .colour = sweep_colour, .alpha = 0.15, .glass = true});
+            add(figures, {.solid = sweep_volume(walker, leg.motion.from, stop),
+                          .colour = sweep_colour,
+                          .alpha = 0.15,
+                          .glass = true});
         if (!leg.hit) continue;
         add_contact(figures, *leg.hit, size);
         // Where a walk ends and the drop after it begins, two bodies would stand in one place: one is enough.
@@ -85,7 +95,8 @@ std::vector<Figure> figures_of(const Leg& leg, const Walker& walker) {
     const dvec3 stop = stop_of(leg);
     const Colour sweep_colour(0.98, 0.97, 0.93);
     add(figures, {.solid = rod(leg.motion.from, stop, 0.02 * size), .colour = sweep_colour, .marker = true});
-    add(figures, {.solid = body(walker, leg.motion.from, stop), .colour = sweep_colour, .alpha = 0.22, .glass = true});
+    add(figures,
+        {.solid = sweep_volume(walker, leg.motion.from, stop), .colour = sweep_colour, .alpha = 0.22, .glass = true});
     add(figures, {.solid = body(walker, leg.motion.from, leg.motion.from),
                   .colour = sweep_colour,
                   .alpha = 0.35,
