@@ -64,7 +64,8 @@ public:
     /// Evenly spread over the orders of magnitude between low and high.
     double magnitude(double low, double high) {
         const int first = std::ilogb(low), last = std::ilogb(high);
-        const double value = std::ldexp(uniform(1, 2), first + pick(last - first + 1));
+        const double mantissa = uniform(1, 2);
+        const double value = std::ldexp(mantissa, first + pick(last - first + 1));
         return value < low ? low : (value > high ? high : value);
     }
     int integer(int low, int high) { return low + pick(high - low + 1); }
@@ -75,6 +76,13 @@ public:
             const double size = dot(v, v);
             if (size > 0.01 && size <= 1) return v * (1 / std::sqrt(size));
         }
+    }
+    /// A direction and a length of any magnitude between low and high. (One call a statement: the order in which C++
+    /// evaluates the two sides of a product is the compiler's choice.)
+    Vec arrow(double low, double high) {
+        const Vec way = direction();
+        const double size = magnitude(low, high);
+        return {way.x * size, way.y * size, way.z * size};
     }
     /// Moves one number by `count` ulps.
     static double ulps(double value, int count) {
@@ -99,11 +107,15 @@ private:
 void draw_size(Draw& draw, Query& query, double low, double high);
 /// Upright, a quarter turn, hand-written and not of unit length, or any.
 void draw_orientation(Draw& draw, Query& query);
+/// A triangle of about `low` to `high` within `spread` of `origin`.
+void draw_triangle_near(Draw& draw, Query& query, const Vec& origin, double spread, double low, double high);
 /// A triangle of about this size around `centre`, with corners rounded to floats as those of a mesh are (mostly).
 void draw_triangle(Draw& draw, Query& query, const Vec& centre, double size);
 /// A motion of about `length` that passes the triangle at about the distance of the shape's surface: as often a hit as
 /// a miss.
 void aim(Draw& draw, Query& query, double length);
+/// Rounds to what a float holds: a position, or the triangle of a query.
+void to_floats(Vec& v);
 void to_floats(Query& query);
 /// The largest dimension of the shape.
 [[nodiscard]] double reach_of(const Query& query);

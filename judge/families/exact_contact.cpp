@@ -200,9 +200,9 @@ ExactContact draw_contact(Draw& draw, Kind kind) {
         }
     }
     // Far from the origin the same whole numbers, as long as they fit.
-    const Vec offset = Vec{static_cast<double>(draw.integer(-4, 4)), static_cast<double>(draw.integer(-4, 4)),
-                           static_cast<double>(draw.integer(-4, 4))} *
-                       (unit * std::ldexp(1.0, draw.integer(0, 20)));
+    const double away = unit * std::ldexp(1.0, draw.integer(0, 20));
+    const int x = draw.integer(-4, 4), y = draw.integer(-4, 4), z = draw.integer(-4, 4);
+    const Vec offset{x * away, y * away, z * away};
     contact.here = offset;
     contact.at = at + offset;
     for (Vec* v : {&query.a, &query.b, &query.c}) *v = *v + offset;

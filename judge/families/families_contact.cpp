@@ -12,7 +12,8 @@ void shake(Draw& draw, Vec& v) {
 
 /// A direction by how it stands to the contact: > 0 approaching, 0 sliding, < 0 leaving.
 Vec direction_of(Draw& draw, const ExactContact& contact, int toward) {
-    const Vec slide = contact.tangent[0] * draw.integer(-3, 3) + contact.tangent[1] * draw.integer(-3, 3);
+    const int i = draw.integer(-3, 3), j = draw.integer(-3, 3);
+    const Vec slide = contact.tangent[0] * i + contact.tangent[1] * j;
     if (toward == 0 && slide.x == 0 && slide.y == 0 && slide.z == 0) return contact.tangent[0];
     return slide + contact.out * (toward * draw.integer(1, 3));
 }
@@ -23,12 +24,14 @@ void make_tangent(const Source& source, std::vector<Query>& queries) {
     Draw& draw = source.draw;
     const ExactContact contact = draw_contact(draw, source.kind);
     Query query = contact.query;
-    const Vec way = direction_of(draw, contact, 0) * std::ldexp(1.0, draw.integer(-6, 6));
+    const double speed = std::ldexp(1.0, draw.integer(-6, 6));
+    const Vec way = direction_of(draw, contact, 0) * speed;
     query.from = contact.here - way * draw.integer(1, 4);
     query.to = contact.here + way * draw.integer(0, 4);
     queries.push_back(query);
     Vec* const points[5] = {&query.from, &query.to, &query.a, &query.b, &query.c};
-    shake(draw, *points[draw.pick(5)]);
+    Vec& moved = *points[draw.pick(5)];
+    shake(draw, moved);
     queries.push_back(query);
 }
 
@@ -43,11 +46,12 @@ void make_touching(const Source& source, std::vector<Query>& queries) {
         queries.push_back(query);
         // An ulp in or out, and the motion as it comes or an ulp more or less.
         Query near = query;
-        shake(draw, draw.coin() ? near.from : near.a);
+        Vec& moved = draw.coin() ? near.from : near.a;
+        shake(draw, moved);
         if (draw.coin()) shake(draw, near.to);
         queries.push_back(near);
         // Some ulps off along the normal, and gliding parallel: the hair's own country.
-        const double off = draw.magnitude(1e-16, 1e-9) * (draw.coin() ? 1 : -1);
+        const double side = draw.coin() ? 1 : -1, off = side * draw.magnitude(1e-16, 1e-9);
         query.from = query.from - contact.out * (off * length(contact.here) / length(contact.out) + off);
         query.to = query.to - contact.out * (off * length(contact.here) / length(contact.out) + off);
         queries.push_back(query);
@@ -61,7 +65,8 @@ void make_inside(const Source& source, std::vector<Query>& queries) {
         Query query = contact.query;
         query.from = contact.here + contact.out * draw.pick({0x1p-40, 0x1p-20, 0x1p-10, 0.125, 0.5, 1});
         if (draw.one_in(4)) query.from = draw.coin() ? query.a : (query.a + query.b) * 0.5;
-        query.to = query.from + direction_of(draw, contact, draw.integer(-1, 1)) * std::ldexp(1.0, draw.integer(-6, 6));
+        const double speed = std::ldexp(1.0, draw.integer(-6, 6));
+        query.to = query.from + direction_of(draw, contact, draw.integer(-1, 1)) * speed;
         queries.push_back(query);
         return;
     }
@@ -69,12 +74,12 @@ void make_inside(const Source& source, std::vector<Query>& queries) {
     query.kind = source.kind;
     draw_size(draw, query, 0.1, 2);
     draw_orientation(draw, query);
-    draw_triangle(draw, query, draw.box(4), draw.uniform(0.2, 4));
+    draw_triangle_near(draw, query, {}, 4, 0.2, 4);
     const double b = draw.uniform(0, 1), c = draw.uniform(0, 1 - b);
     const Vec target = query.a + (query.b - query.a) * b + (query.c - query.a) * c;
     query.from = target + turned(query, draw.box(1) * (0.7 * reach_of(query)));
     if (draw.one_in(6)) query.from = target;
-    query.to = query.from + draw.direction() * draw.magnitude(1e-3, 10);
+    query.to = query.from + draw.arrow(1e-3, 10);
     queries.push_back(query);
 }
 
@@ -106,9 +111,11 @@ void make_parallel(const Source& source, std::vector<Query>& queries) {
         // Gliding exactly in touch from beside the triangle or from within it, or just above it.
         const ExactContact contact = draw_contact(draw, source.kind);
         Query query = contact.query;
-        const Vec way = direction_of(draw, contact, 0) * std::ldexp(1.0, draw.integer(-3, 8));
-        query.from = contact.here - way * draw.pick({0, 0.5, 1, 2}) +
-                     contact.out * draw.pick({0, 0, 0x1p-44, -0x1p-44, 0x1p-50, -0x1p-50, -0x1p-10});
+        const double speed = std::ldexp(1.0, draw.integer(-3, 8));
+        const Vec way = direction_of(draw, contact, 0) * speed;
+        const double before = draw.pick({0, 0.5, 1, 2});
+        const double above = draw.pick({0, 0, 0x1p-44, -0x1p-44, 0x1p-50, -0x1p-50, -0x1p-10});
+        query.from = contact.here - way * before + contact.out * above;
         query.to = query.from + way;
         queries.push_back(query);
         return;
@@ -117,11 +124,13 @@ void make_parallel(const Source& source, std::vector<Query>& queries) {
     query.kind = source.kind;
     draw_size(draw, query, 0.1, 2);
     draw_orientation(draw, query);
-    draw_triangle(draw, query, draw.box(4), draw.uniform(0.5, 6));
+    draw_triangle_near(draw, query, {}, 4, 0.5, 6);
     aim(draw, query, 1);
-    const Vec along = draw.coin()
-                          ? query.b - query.a
-                          : (query.b - query.a) * draw.uniform(-1, 1) + (query.c - query.a) * draw.uniform(-1, 1);
+    Vec along = query.b - query.a;
+    if (draw.coin()) {
+        const double u = draw.uniform(-1, 1), v = draw.uniform(-1, 1);
+        along = along * u + (query.c - query.a) * v;
+    }
     const double scale = draw.pick({0.5, 1, 2, 4});
     query.from = query.from - along * (scale * draw.uniform(0, 1));
     query.to = query.from + along * scale;
@@ -172,14 +181,14 @@ void make_one_sided(const Source& source, std::vector<Query>& queries) {
     query.b = at + draw.box(3);
     query.c = at + draw.box(3);
     to_floats(query);
-    const Vec along =
-        (query.b - query.a) * draw.pick({1, 0.5, -1, 2}) + (query.c - query.a) * draw.pick({0, 1, -1, 0.5});
+    const double u = draw.pick({1, 0.5, -1, 2}), v = draw.pick({0, 1, -1, 0.5});
+    const Vec along = (query.b - query.a) * u + (query.c - query.a) * v;
     const Vec normal = cross(query.b - query.a, query.c - query.a);
     query.from = query.a + (query.b - query.a) * 0.3 + (query.c - query.a) * 0.3 - along * draw.uniform(0.2, 1);
     if (length(normal) > 0) {
         query.from = query.from + normal * (draw.uniform(-0.9, 0.9) * reach_of(query) / length(normal));
     }
-    query.from = {static_cast<float>(query.from.x), static_cast<float>(query.from.y), static_cast<float>(query.from.z)};
+    to_floats(query.from);
     query.to = query.from + along;
     if (draw.coin()) shake(draw, query.to);
     queries.push_back(query);

@@ -20,7 +20,7 @@ Query everyday(Draw& draw, Kind kind) {
 void make_random(const Source& source, std::vector<Query>& queries) {
     Draw& draw = source.draw;
     Query query = everyday(draw, source.kind);
-    draw_triangle(draw, query, draw.box(8), draw.uniform(0.2, 6));
+    draw_triangle_near(draw, query, {}, 8, 0.2, 6);
     if (draw.one_in(5)) {
         query.from = draw.box(8);
         query.to = draw.box(8);
@@ -44,7 +44,7 @@ void make_far(const Source& source, std::vector<Query>& queries) {
     Query query = everyday(draw, source.kind);
     const double away = draw.pick({1e3, 1e6, 1e7});
     const Vec offset{draw.pick({-away, 0, away}), draw.pick({-away, 0, away}), draw.pick({-away, away})};
-    draw_triangle(draw, query, offset + draw.box(8), draw.uniform(0.2, 6));
+    draw_triangle_near(draw, query, offset, 8, 0.2, 6);
     aim(draw, query, draw.uniform(0.05, 10));
     queries.push_back(query);
 }
@@ -55,8 +55,12 @@ void make_ratios(const Source& source, std::vector<Query>& queries) {
     const double small = draw.magnitude(0.01, 1), ratio = draw.uniform(1, 100);
     query.size = {small, small, small};
     draw.any_part(query.size) *= ratio;
-    if (draw.coin()) draw.any_part(query.size) = small * draw.uniform(1, ratio);
-    draw_triangle(draw, query, draw.box(4), draw.magnitude(0.05, 50));
+    if (draw.coin()) {
+        double& part = draw.any_part(query.size);
+        part = small * draw.uniform(1, ratio);
+    }
+    const double extent = draw.magnitude(0.05, 50);
+    draw_triangle(draw, query, draw.box(4), extent);
     aim(draw, query, draw.magnitude(0.05, 50));
     queries.push_back(query);
 }
@@ -64,7 +68,7 @@ void make_ratios(const Source& source, std::vector<Query>& queries) {
 void make_motions(const Source& source, std::vector<Query>& queries) {
     Draw& draw = source.draw;
     Query query = everyday(draw, source.kind);
-    draw_triangle(draw, query, draw.box(4), draw.uniform(0.2, 6));
+    draw_triangle_near(draw, query, {}, 4, 0.2, 6);
     const double length = draw.magnitude(1e-6, 1e5);
     aim(draw, query, length);
     queries.push_back(query);
@@ -100,7 +104,7 @@ void make_limits(const Source& source, std::vector<Query>& queries) {
 void make_slivers(const Source& source, std::vector<Query>& queries) {
     Draw& draw = source.draw;
     Query query = everyday(draw, source.kind);
-    const Vec at = draw.box(4), along = draw.direction() * draw.magnitude(0.01, 20);
+    const Vec at = draw.box(4), along = draw.arrow(0.01, 20);
     const double thin = draw.pick({0, 1e-12, 1e-9, 1e-6, 1e-3});
     switch (draw.pick(6)) {
         case 0:  // a point
@@ -124,7 +128,8 @@ void make_slivers(const Source& source, std::vector<Query>& queries) {
         default:  // a sliver: three nearly in a row
             query.a = at;
             query.b = at + along;
-            query.c = at + along * draw.uniform(0, 1) + draw.box(thin);
+            query.c = at + along * draw.uniform(0, 1);
+            query.c = query.c + draw.box(thin);
     }
     aim(draw, query, draw.uniform(0.05, 10));
     if (draw.one_in(4)) {  // along the needle
@@ -149,16 +154,18 @@ void make_invalid(const Source& source, std::vector<Query>& queries) {
         case 0:
             *dims[draw.pick(size_count(query.kind))] = size;
             break;
-        case 1:
-            draw.any_part(*points[draw.pick(5)]) = bad;
+        case 1: {
+            Vec& moved = *points[draw.pick(5)];
+            draw.any_part(moved) = bad;
             break;
+        }
         case 2:
             if (draw.coin()) {
                 query.qw = query.qx = query.qy = query.qz = 0;
             } else {
                 double* const q[4] = {&query.qw, &query.qx, &query.qy, &query.qz};
-                *q[draw.pick(4)] =
-                    draw.coin() ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+                double& part = *q[draw.pick(4)];
+                part = draw.coin() ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
             }
             break;
         default:

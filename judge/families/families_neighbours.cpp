@@ -28,7 +28,7 @@ void make_resweep(const Source& source, std::vector<Query>& queries) {
     Draw& draw = source.draw;
     Query query = everyday(draw, source.kind);
     const double away = draw.pick({0, 0, 1e3, 1e6});
-    draw_triangle(draw, query, draw.box(2) + Vec{away, 0, -away}, draw.uniform(0.2, 6));
+    draw_triangle_near(draw, query, {away, 0, -away}, 2, 0.2, 6);
     aim(draw, query, draw.uniform(0.5, 10));
     queries.push_back(query);
     for (int step = 0; step < 4; ++step) {
@@ -51,7 +51,7 @@ void make_resweep(const Source& source, std::vector<Query>& queries) {
                 query.to = query.from - d * draw.uniform(0.1, 1);
                 break;
             default:
-                query.to = query.from + draw.direction() * draw.magnitude(1e-3, 10);
+                query.to = query.from + draw.arrow(1e-3, 10);
         }
         queries.push_back(query);
     }
@@ -68,8 +68,8 @@ void make_shared(const Source& source, std::vector<Query>& queries) {
     Vec rim[9];
     const Vec out = draw.direction() * size;
     for (int i = 0; i <= faces; ++i) {
-        rim[i] =
-            hub + turned_about(axis, out, draw.uniform(-3, 3)) + (draw.coin() ? axis * draw.uniform(-1, 1) : Vec{});
+        rim[i] = hub + turned_about(axis, out, draw.uniform(-3, 3));
+        if (draw.coin()) rim[i] = rim[i] + axis * draw.uniform(-1, 1);
         if (i == faces) rim[i] = rim[0];
     }
     // One motion at the hub or the edge, for all faces.
