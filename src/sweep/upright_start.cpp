@@ -43,6 +43,7 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     // The normal at a rim loses digits where the triangle is much larger than the shape; its gap is trusted that much
     // less.
     const double rim_hair = 0x1p-20 * extent;
+    const double rim_slope_hair = 0x1p-20 * norm1(query.along);
     const double slope_hair = 0x1p-40 * norm1(query.along);
     const UprightStart<double> with_rims = start_in_doubles(query, false);
     const int first_rim = start_in_doubles(query, true).count();
@@ -58,8 +59,9 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
         const auto& plane = with_rims.plane(i);
         if (plane.gap < nearest - (i < first_rim ? hair : rim_hair)) continue;
         some_rim = some_rim || i >= first_rim;
-        all_close = all_close && plane.approach < -slope_hair;
-        all_open = all_open && plane.approach > slope_hair;
+        const double flat = i < first_rim ? slope_hair : rim_slope_hair;
+        all_close = all_close && plane.approach < -flat;
+        all_open = all_open && plane.approach > flat;
     }
     // A motion near the end of the doubles' range has no digits left once it is turned.
     outlook.decided = (all_close || all_open) && norm1(query.along) > 0x1p-900;

@@ -168,7 +168,7 @@ private:
         if (sign_of(v) == 0) {
             // On the long axis: straight out along it, or the two points where the ellipse is nearest, side by side.
             add_normal(u, Scalar(0.0));
-            const Scalar share = u / (a2 - c2);
+            const Scalar share = u / (a2 * slope * slope);
             const Scalar rest = Scalar(1.0) - a2 * share * share;
             if (sign_of(rest) < 0) return;
             const Scalar other = square_root(rest / c2);
@@ -177,31 +177,32 @@ private:
             return;
         }
         // The points of the ellipse whose normal runs through the edge are those with
-        //     a2 u^2 / (a2 + s)^2 + c2 v^2 / (c2 + s)^2 = 1.
-        // The largest root, right of -c2, is the nearest point. The next, between -a2 and -c2, is the nearest on the
+        //     a2 u^2 / (b2 + w)^2 + c2 v^2 / w^2 = 1,      b2 = a2 - c2
+        // The positive root is the nearest point. The root between -b2 and 0 that is nearer to 0 is the nearest on the
         // other side of the long axis; it counts where the triangle keeps the shape from leaving to the near side. Each
         // start has one term equal to 1, which leaves the sum above 1 and the root on the side to which Newton's method
-        // moves.
+        // moves. (Counted from 0 here, not from -c2: for an edge close to the long axis w is tiny, and must keep its
+        // digits.)
+        const Scalar b2 = a2 * slope * slope;
         const Scalar abs_u = sign_of(u) < 0 ? -u : u;
         const Scalar abs_v = sign_of(v) < 0 ? -v : v;
         const Scalar c_v = square_root(c2) * abs_v;
-        Scalar near = shape_.radius * abs_u - a2;
-        if (c_v - c2 > near) near = c_v - c2;
-        const auto add_root = [&](Scalar s, bool is_far) {
+        const Scalar from_u = shape_.radius * abs_u - b2;
+        const auto add_root = [&](Scalar w, bool is_far) {
             for (int step = 0; step < newton_steps; ++step) {
-                const Scalar p = u / (a2 + s);
-                const Scalar q = v / (c2 + s);
+                const Scalar p = u / (b2 + w);
+                const Scalar q = v / w;
                 const Scalar value = a2 * p * p + c2 * q * q - Scalar(1.0);
-                const Scalar falling = Scalar(2.0) * (a2 * p * p / (a2 + s) + c2 * q * q / (c2 + s));
+                const Scalar falling = Scalar(2.0) * (a2 * p * p / (b2 + w) + c2 * q * q / w);
                 if (is_far && sign_of(falling) >= 0) return;
                 if (sign_of(falling) == 0) break;
-                s = s + value / falling;
-                if (is_far && sign_of(a2 + s) <= 0) return;
+                w = w + value / falling;
+                if (is_far && sign_of(b2 + w) <= 0) return;
             }
-            add_normal(u / (a2 + s), v / (c2 + s));
+            add_normal(u / (b2 + w), v / w);
         };
-        add_root(near, false);
-        if (a2 - c2 > c_v) add_root(-c2 - c_v, true);
+        add_root(from_u > c_v ? from_u : c_v, false);
+        if (b2 > c_v) add_root(-c_v, true);
     }
 
     static constexpr int most = 48;
