@@ -158,14 +158,12 @@ private:
             if (is_exact_miss()) return {Verdict::false_hit, gap, "there is no contact"};
             return {Verdict::early, gap, "too far away at the hit"};
         }
-        // A false hit within the bound is allowed, but only if the shape approaches. Clear cases need no proof.
-        const Vec d = minus(query_.to, query_.from);
-        const double along = (answer_.normal.x * d.x + answer_.normal.y * d.y + answer_.normal.z * d.z);
-        const double speed = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-        if (along < -1e-6 * speed) return {Verdict::right, gap, "a hit"};
-        if (start_signs(query_, answer_.t).slope == -1) return {Verdict::right, gap, "a hit, approaching slowly"};
+        // A false hit within the bound is allowed, but only if the shape approaches. Clear cases need no proof; along
+        // a grazing motion t may lie a hair beyond the closest approach, so what counts is the approach from the start.
+        if (along_normal() < -1e-6) return {Verdict::right, gap, "a hit"};
+        if (start_signs(query_, 0).slope == -1) return {Verdict::right, gap, "a hit, approaching slowly"};
         if (is_exact_miss())
-            return {Verdict::false_hit, gap, "it passes near the triangle, and does not approach it at t"};
+            return {Verdict::false_hit, gap, "it passes near the triangle without ever approaching it"};
         return {Verdict::right, gap, "a grazing hit"};
     }
 
@@ -176,14 +174,20 @@ private:
             return {Verdict::bad_normal, 0, "the normal is not of unit length"};
         const V3<double> local = examination_.into_frame(n);
         if (!is_of_contact(local)) return {Verdict::bad_normal, 0, "the normal is not that of the contact"};
-        const Vec d = minus(query_.to, query_.from);
-        const double along = n.x * d.x + n.y * d.y + n.z * d.z;
-        if (along > angle * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z))
-            return {Verdict::bad_normal, 0, "the shape goes along the normal, not against it"};
+        if (along_normal() > angle) return {Verdict::bad_normal, 0, "the shape goes along the normal, not against it"};
         if (!point_is_near_) return {Verdict::bad_point, 0, "the point is not on both triangle and shape"};
         if (is_deep() ? !supports(local) : !is_on_feature(placement, local))
             return {Verdict::bad_feature, 0, "the contact is not on the feature"};
         return {Verdict::right, 0, ""};
+    }
+
+    /// The cosine between motion and reported normal: less than 0 if the shape goes against it.
+    double along_normal() const {
+        const Vec d = minus(query_.to, query_.from);
+        const double size = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+        const Vec u{d.x / size, d.y / size, d.z / size};  // an ulp of zero has no square
+        const Vec& n = answer_.normal;
+        return (n.x * u.x + n.y * u.y + n.z * u.z) / std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
     }
 
     /// Every normal's gap is a lower bound on the distance; that of the contact attains it.
