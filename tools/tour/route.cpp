@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tour/rows.hpp"
+
 namespace surefoot::tools {
 namespace {
 
@@ -235,12 +237,19 @@ Route walk_from(const Mesh& mesh, const Walker& walker, const dvec3& start, std:
 
 Route best_route(const Mesh& mesh, const Walker& walker, std::span<const dvec3> places,
                  std::span<const dvec3> waypoints) {
+    constexpr std::size_t most_tries = 64;
+    const std::size_t apart = places.size() / most_tries + 1;
+    std::vector<Route> routes((places.size() + apart - 1) / apart);
+    for_each_row(
+        static_cast<int>(routes.size()),
+        [&](int i) {
+            const auto row = static_cast<std::size_t>(i);
+            routes[row] = walk_from(mesh, walker, places[row * apart], waypoints);
+        },
+        [](int) {});
     Route best;
-    double most = -1;
-    constexpr std::size_t most_tries = 160;
-    const std::size_t stride = places.size() / most_tries + 1;
-    for (std::size_t i = 0; i < places.size(); i += stride) {
-        Route route = walk_from(mesh, walker, places[i], waypoints);
+    double most = -1e300;
+    for (Route& route : routes) {
         const double value = worth(mesh, route, walker);
         if (value <= most) continue;
         most = value;

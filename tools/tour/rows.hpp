@@ -1,4 +1,4 @@
-/// Work on the rows of a picture with every processor there is.
+/// Work on the rows of a picture, or on anything else that has a number, with every processor there is.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void for_each_row(int rows, const Work& work, const Progress& progress) {
     for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
     while (done < rows) {
         progress(done.load());
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
 }
 
