@@ -36,7 +36,6 @@ struct TourOptionsGiven {
     std::string out = "out";
     std::string size = "1280x800";
     std::size_t legs = 0;  ///< 0: as many as suit the level
-    bool json = false;
     bool no_pictures = false;
 };
 
