@@ -1,10 +1,13 @@
 // Every seeded fault is caught: the core is compiled a second time with SUREFOOT_SEEDED_FAULTS, one fault is switched
 // on at a time, and the judge must refuse answers that it does not refuse without it. Prints which families catch what;
 // the table stands in docs/proof.md.
+#include <algorithm>
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fault.hpp"
 #include "judge/runner.hpp"
@@ -75,17 +78,26 @@ INSTANTIATE_TEST_SUITE_P(Seeded, Faults, testing::ValuesIn(all_faults),
 TEST_P(Faults, is_caught) {
     const auto& sound = failures_without();
     std::uint64_t more = 0;
-    std::string line = std::string("| ") + GetParam().name + " |";
+    std::vector<std::pair<std::uint64_t, std::string>> by_family;
+    std::map<std::string, std::uint64_t> verdicts;
     for (const auto& [family, caught] : failures_with(GetParam().fault)) {
         const auto before = sound.find(family);
         const std::uint64_t already = before == sound.end() ? 0 : before->second.failures;
         if (caught.failures <= already) continue;
         more += caught.failures - already;
-        std::string verdicts;
-        for (const auto& [verdict, count] : caught.verdicts)
-            verdicts += (verdicts.empty() ? "" : ", ") + verdict + ' ' + std::to_string(count);
-        line += ' ' + family + " (" + verdicts + ")";
+        by_family.emplace_back(caught.failures - already, family);
+        for (const auto& [verdict, count] : caught.verdicts) verdicts[verdict] += count;
     }
+    std::sort(by_family.rbegin(), by_family.rend());
+    std::string line = std::string("| `") + GetParam().name + "` | ";
+    for (std::size_t i = 0; i < std::min<std::size_t>(by_family.size(), 4); ++i)
+        line += (i == 0 ? "" : ", ") + by_family[i].second + ' ' + std::to_string(by_family[i].first);
+    line += " | " + std::to_string(by_family.size()) + " | ";
+    std::vector<std::pair<std::uint64_t, std::string>> by_verdict;
+    for (const auto& [verdict, count] : verdicts) by_verdict.emplace_back(count, verdict);
+    std::sort(by_verdict.rbegin(), by_verdict.rend());
+    for (std::size_t i = 0; i < std::min<std::size_t>(by_verdict.size(), 3); ++i)
+        line += (i == 0 ? "" : ", ") + by_verdict[i].second + ' ' + std::to_string(by_verdict[i].first);
     std::printf("%s |\n", line.c_str());
     EXPECT_GT(more, 0U) << "the judge was fooled";
 }
