@@ -14,7 +14,7 @@ void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& pla
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
         const Vec edge = query.edge_direction(i);
-        const Ball ball{.radius = capsule.radius, .hair = query.edge_hair(i)};
+        const Ball ball{.radius = capsule.radius, .hairs = query.edge_hairs(i)};
         planes.consider_both(cross(scaled_to_one(edge), axis));
         for (const Vec& end : ends) {
             planes.consider_pass(ball_against_line(query.edge_start(i) + end, edge, query.along, ball));
@@ -23,7 +23,7 @@ void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& pla
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
         const Vec& corner = query.corners[i];
-        const Ball ball{.radius = capsule.radius, .hair = query.corner_hair(i)};
+        const Ball ball{.radius = capsule.radius, .hairs = query.corner_hairs(i)};
         planes.consider_pass(ball_against_line(corner, axis, query.along, ball));
         for (const Vec& end : ends) planes.consider_pass(ball_against_point(corner + end, query.along, ball));
     }

@@ -46,7 +46,7 @@ void consider_vertex(const SweepQuery& query, const Cone& cone, int vertex, Plan
         return;
     }
     const double side = std::sqrt(cone.radius * cone.radius + cone.height * cone.height);
-    const Vec lifted{corner.x, corner.y + inflation * query.corner_hair(vertex) * side / cone.radius, corner.z};
+    const Vec lifted{corner.x, corner.y + inflation * query.triangle_hair() * side / cone.radius, corner.z};
     const Vec p = accurate_cross(scaled_to_one(lifted), scaled_to_one(query.along));
     const double sideways = std::sqrt(p.x * p.x + p.z * p.z);
     if (sideways == 0) {
@@ -74,7 +74,7 @@ void propose_planes(const SweepQuery& query, const Cone& cone, Planes& planes) n
         const Vec edge = query.edge_direction(i);
         consider_perpendicular_sides(cone, edge, planes);
         planes.consider_pass(
-            rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius, query.edge_hair(i)));
+            rim_against_line(query.edge_start(i) - rim_centre, edge, query.along, cone.radius, query.edge_hairs(i)));
     }
     if (has_fault(Fault::vertices_dropped)) return;
     consider_perpendicular_sides(cone, query.along, planes);

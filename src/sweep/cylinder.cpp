@@ -19,13 +19,13 @@ void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& p
         const Vec edge = query.edge_direction(i);
         planes.consider_both(cross(scaled_to_one(edge), axis));
         for (const Vec& centre : rim_centres) {
-            planes.consider_pass(
-                rim_against_line(query.edge_start(i) - centre, edge, query.along, cylinder.radius, query.edge_hair(i)));
+            planes.consider_pass(rim_against_line(query.edge_start(i) - centre, edge, query.along, cylinder.radius,
+                                                  query.edge_hairs(i)));
         }
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
-        const Ball seen_along_axis{.radius = cylinder.radius, .hair = query.corner_hair(i)};
+        const Ball seen_along_axis{.radius = cylinder.radius, .hairs = query.corner_hairs(i)};
         planes.consider_pass(ball_against_line(query.corners[i], axis, query.along, seen_along_axis));
     }
 }

@@ -16,11 +16,13 @@ namespace {
 // For a sphere `ball.squash` is 1 and the ball keeps its radius.
 void propose_round_planes(const SweepQuery& query, const Ball& ball, Planes& planes) noexcept {
     const auto squash = [&](const Vec& v) { return divide_each(v, ball.squash); };
-    const auto with_hair = [&](double hair) { return Ball{ball.radius, hair, ball.squash}; };
+    const auto with = [&](const Hairs& hairs) { return Ball{ball.radius, hairs, ball.squash}; };
     const auto consider = [&](const RoundNormals& normals) {
         planes.consider(squash(normals.entry));
         planes.consider(squash(normals.exit));
         planes.consider(squash(normals.passing));
+        planes.consider(squash(normals.grazing_entry));
+        planes.consider(squash(normals.grazing_exit));
     };
     const Vec along = squash(query.along);
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
@@ -28,22 +30,22 @@ void propose_round_planes(const SweepQuery& query, const Ball& ball, Planes& pla
         has_fault(Fault::parallel_skipped) && absolute(dot(unit(query.face_normal()), unit(query.along))) < 0x1p-20;
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3 && !skip_edges; ++i) {
         consider(ball_against_line(squash(query.edge_start(i)), squash(query.edge_direction(i)), along,
-                                   with_hair(query.edge_hair(i))));
+                                   with(query.edge_hairs(i))));
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
-        consider(ball_against_point(squash(query.corners[i]), along, with_hair(query.corner_hair(i))));
+        consider(ball_against_point(squash(query.corners[i]), along, with(query.corner_hairs(i))));
     }
 }
 
 }  // namespace
 
 void propose_planes(const SweepQuery& query, const Sphere& sphere, Planes& planes) noexcept {
-    propose_round_planes(query, {.radius = sphere.radius}, planes);
+    propose_round_planes(query, {.radius = sphere.radius, .hairs = {}}, planes);
 }
 
 void propose_planes(const SweepQuery& query, const Ellipsoid& ellipsoid, Planes& planes) noexcept {
-    propose_round_planes(query, {.radius = 1, .squash = to_vec(ellipsoid.radii)}, planes);
+    propose_round_planes(query, {.radius = 1, .hairs = {}, .squash = to_vec(ellipsoid.radii)}, planes);
 }
 
 }  // namespace surefoot::internal

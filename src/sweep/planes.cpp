@@ -56,6 +56,13 @@ bool Planes::motion_is_free() noexcept {
     return free_;
 }
 
+double Planes::time_of_last() const noexcept {
+    // A motion that passes within the hair leaves one plane before it enters the last. It is held where it still comes
+    // nearer, if that is near enough.
+    const bool passes = has_leave_ && leave_ < enter_ && leave_ > 0;
+    return passes && last_.gap + leave_ * last_.approach <= hair() ? leave_ : enter_;
+}
+
 bool Planes::starts_inside() const noexcept {
     double half_hair = query_.shape_slack / 2;
     for (const double slack : query_.corner_slack) half_hair = larger(half_hair, slack / 2);

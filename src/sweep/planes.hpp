@@ -41,6 +41,8 @@ public:
         consider(normals.entry);
         consider(normals.exit);
         consider(normals.passing);
+        consider(normals.grazing_entry);
+        consider(normals.grazing_exit);
     }
 
     /// Judges the plane and its opposite.
@@ -60,7 +62,12 @@ public:
     [[nodiscard]] bool starts_inside() const noexcept;
 
     /// When the last plane gives way. Requires: not motion_is_free(), starts_apart().
-    [[nodiscard]] double time_of_last() const noexcept { return enter_; }
+    [[nodiscard]] double time_of_last() const noexcept;
+
+    /// Does the last plane close so slowly that the sign of its closing may be rounding?
+    [[nodiscard]] bool last_may_be_parallel() const noexcept {
+        return -last_.approach <= rounding_share * norm1(query_.along);
+    }
 
     /// Among planes that are as good as the last, the one that touches the most of the triangle: where a face and an
     /// edge are met together, the face's normal is the steadier answer.
@@ -84,7 +91,7 @@ public:
 private:
     void record(const Plane& plane, Verdict verdict, double t) const noexcept;
 
-    static constexpr int most_planes = 128;
+    static constexpr int most_planes = 160;
 
     const SweepQuery& query_;
     Trace* trace_;

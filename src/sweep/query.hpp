@@ -22,6 +22,12 @@ inline constexpr double rounding_share = 0x1p-47;
 /// its own hair. The planes are then judged against the true shape.
 inline constexpr double inflation = 4;
 
+/// How much a feature is inflated, as lengths along the normal [m].
+struct Hairs {
+    double own = 0;       ///< the rounding in the feature's own numbers: two triangles that share it get one answer
+    double triangle = 0;  ///< that in the whole triangle's: how far a plane through it may be off
+};
+
 struct SweepQuery {
     SweepQuery(const Volume& volume, const Motion& motion, const Triangle& triangle, std::uint32_t id) noexcept;
 
@@ -41,11 +47,13 @@ struct SweepQuery {
     }
     [[nodiscard]] Vec face_normal() const noexcept;
 
-    /// The rounding in a gap that this corner, or this edge, decides [m]. Of the edge alone, so that two triangles that
-    /// share it treat it alike.
-    [[nodiscard]] double corner_hair(int i) const noexcept { return corner_slack[i] + shape_slack; }
-    [[nodiscard]] double edge_hair(int i) const noexcept {
-        return larger(corner_slack[i == 2 ? 0 : i], corner_slack[i == 2 ? 2 : i + 1]) + shape_slack;
+    /// The rounding in a gap that this corner, or this edge, decides, and that in any gap of the triangle's.
+    [[nodiscard]] Hairs corner_hairs(int i) const noexcept { return {corner_slack[i] + shape_slack, triangle_hair()}; }
+    [[nodiscard]] Hairs edge_hairs(int i) const noexcept {
+        return {larger(corner_slack[i == 2 ? 0 : i], corner_slack[i == 2 ? 2 : i + 1]) + shape_slack, triangle_hair()};
+    }
+    [[nodiscard]] double triangle_hair() const noexcept {
+        return larger(corner_slack[0], larger(corner_slack[1], corner_slack[2])) + shape_slack;
     }
 };
 

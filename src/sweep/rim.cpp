@@ -5,7 +5,7 @@
 namespace surefoot::internal {
 
 RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const Vec& along, double radius,
-                              double hair) noexcept {
+                              const Hairs& hairs) noexcept {
     const Vec edge = scaled_to_one(edge_direction);
     const Vec motion = scaled_to_one(along);
     if (edge.y == 0) return {};
@@ -24,7 +24,9 @@ RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const
     if (onward == Vec{}) {
         // Along the edge: the crossing stands still.
         const double share = point.y / edge.y;
-        return {{}, {}, raised({edge.x * share - point.x, 0, edge.z * share - point.z})};
+        RoundNormals standing;
+        standing.passing = raised({edge.x * share - point.x, 0, edge.z * share - point.z});
+        return standing;
     }
     const Vec across{-onward.z, 0, onward.x};
     // across . crossing, with across . edge_h rewritten by G so that nothing is divided by the climb.
@@ -32,9 +34,11 @@ RoundNormals rim_against_line(const Vec& point, const Vec& edge_direction, const
     const double offset = -(dot(point, across) - point.y * turn);
     // A hair along the normal is more of one in the plane of the rim.
     const Vec steep = raised(across);
-    const double flat_hair = inflation * hair * length(steep) / std::sqrt(steep.x * steep.x + steep.z * steep.z);
-    const RoundNormals flat = normals_of_pass(across * offset, onward, radius, smaller(radius, flat_hair));
-    return {raised(flat.entry), raised(flat.exit), raised(flat.passing)};
+    const double scale = inflation * length(steep) / std::sqrt(steep.x * steep.x + steep.z * steep.z);
+    const Hairs flat_hairs{smaller(radius, hairs.own * scale), smaller(radius, hairs.triangle * scale)};
+    const RoundNormals flat = normals_of_pass(across * offset, onward, radius, flat_hairs);
+    return {raised(flat.entry), raised(flat.exit), raised(flat.passing), raised(flat.grazing_entry),
+            raised(flat.grazing_exit)};
 }
 
 }  // namespace surefoot::internal

@@ -12,9 +12,9 @@
 namespace surefoot::internal {
 
 /// `point` is relative to the centre of the rim at `from`, `edge` the direction of the line. Nothing for an edge
-/// parallel to the plane of the rim: it meets the end's flat or the side first. `hair` is the rounding in the edge's
+/// parallel to the plane of the rim: it meets the end's flat or the side first. `hairs` the rounding in the edge's
 /// numbers [m].
 [[nodiscard]] RoundNormals rim_against_line(const Vec& point, const Vec& edge, const Vec& along, double radius,
-                                            double hair) noexcept;
+                                            const Hairs& hairs) noexcept;
 
 }  // namespace surefoot::internal

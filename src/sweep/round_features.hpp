@@ -19,19 +19,22 @@ namespace surefoot::internal {
 struct RoundNormals {
     Vec entry;
     Vec exit;
-    Vec passing;  ///< at the closest approach
+    Vec passing;        ///< at the closest approach
+    Vec grazing_entry;  ///< entry and exit of a feature inflated by the triangle's hair
+    Vec grazing_exit;
 };
 
 /// A ball in the space where it is round: the world divided by `squash`.
 struct Ball {
     double radius = 1;
-    double hair = 0;  ///< the rounding in the numbers of the feature, in the world [m]
+    Hairs hairs;  ///< in the world
     Vec squash{1, 1, 1};
 };
 
 /// The normals of a pass: `closest` points from the feature to the closest approach, `onward` is the unit direction of
-/// motion perpendicular to it, `hair` how much the radius is inflated.
-[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius, double hair) noexcept;
+/// motion perpendicular to it, `hairs` how much the radius is inflated.
+[[nodiscard]] RoundNormals normals_of_pass(const Vec& closest, const Vec& onward, double radius,
+                                           const Hairs& hairs) noexcept;
 
 /// `point` relative to the ball's centre at `from`; `along` its motion; all in the ball's space.
 [[nodiscard]] RoundNormals ball_against_point(const Vec& point, const Vec& along, const Ball& ball) noexcept;

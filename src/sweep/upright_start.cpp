@@ -63,8 +63,13 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
         all_close = all_close && plane.approach < -flat;
         all_open = all_open && plane.approach > flat;
     }
+    // About the axis all sides are as near; doubles cannot tell whether a corner is there.
+    bool on_axis = false;
+    for (const Vec& corner : query.corners) {
+        on_axis = on_axis || std::sqrt(corner.x * corner.x + corner.z * corner.z) < hair;
+    }
     // A motion near the end of the doubles' range has no digits left once it is turned.
-    outlook.decided = (all_close || all_open) && norm1(query.along) > 0x1p-900;
+    outlook.decided = (all_close || all_open) && !on_axis && norm1(query.along) > 0x1p-900;
     outlook.approach = all_close ? Approach::deeper : Approach::no_closer;
     outlook.rims_matter = some_rim;
     return outlook;
