@@ -76,17 +76,24 @@ V3<double> nearest_of_shape(Kind kind, const V3<double>& s, const V3<double>& p)
     return nearest_of_cone(s.x, s.y, p);
 }
 
-/// Drawn towards the middle just enough that rounding cannot leave it outside.
-V3<double> drawn_in(const Query& query, const V3<double>& k) {
-    const V3<double> s = lift<double>(query.size);
-    double high = s.x, low = s.x;
-    if (query.kind == Kind::capsule)
-        high = std::max(high, s.y);
-    else if (size_count(query.kind) > 1)
-        high = std::max(high, s.y), low = std::min(low, s.y);
-    if (size_count(query.kind) > 2) high = std::max(high, s.z), low = std::min(low, s.z);
-    const V3<double> middle{0, query.kind == Kind::cone ? -0.6 * s.y : 0, 0};
-    return middle + scaled(k - middle, 1 - 8e-15 * (high / low));
+/// Drawn in by a few ulps, so that rounding cannot leave it outside. (A box needs none: clamping is exact.)
+V3<double> drawn_in(Kind kind, const V3<double>& s, const V3<double>& k) {
+    constexpr double less = 1 - 4e-15;
+    switch (kind) {
+        case Kind::sphere:
+        case Kind::ellipsoid:
+            return scaled(k, less);
+        case Kind::capsule: {
+            const V3<double> middle{0, std::clamp(k.y, -s.y, s.y), 0};
+            return middle + scaled(k - middle, less);
+        }
+        case Kind::box:
+            return k;
+        case Kind::cylinder:
+        case Kind::cone:
+            break;
+    }
+    return {k.x * less, k.y, k.z * less};
 }
 
 /// The weights of b and c, such that with that of a they are exactly three weights >= 0 that add up to one.
@@ -110,7 +117,7 @@ double Examination::reach(double t, double weight_b, double weight_c) {
     clamp_weights(weight_b, weight_c);
     const Query& q = query_;
     const V3<double> near = blend(local_.w, weight_b, weight_c) + scaled(local_.d, t);
-    const V3<double> k = drawn_in(q, nearest_of_shape(q.kind, local_.size, near));
+    const V3<double> k = drawn_in(q.kind, local_.size, nearest_of_shape(q.kind, local_.size, near));
     const auto lifted = [&](auto zero) {
         using N = decltype(zero);
         return V3<N>{N(k.x), N(k.y), N(k.z)};
