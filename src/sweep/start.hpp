@@ -13,8 +13,8 @@ enum class Approach {
     overflow,   ///< the numbers are further apart than exact arithmetic has room for
 };
 
-/// Requires: valid volume, motion and triangle; the shape touches the triangle at `from`, or is apart by no more than
-/// the hair. Where it is apart by a hair, `no_closer` also means that the motion is proved to miss.
+/// Requires: valid volume, motion and triangle. Exact for a shape that touches the triangle at `from`. For one that is
+/// apart, `no_closer` means that the motion is proved to miss; box, cylinder and cone may say `deeper` without a proof.
 [[nodiscard]] Approach approach_at_start(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept;
 
 /// The sign of (to - from) . N, N the normal of the triangle.
