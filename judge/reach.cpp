@@ -85,7 +85,8 @@ V3<double> drawn_in(Kind kind, const V3<double>& s, const V3<double>& k) {
             return scaled(k, less);
         case Kind::capsule: {
             const V3<double> middle{0, std::clamp(k.y, -s.y, s.y), 0};
-            return middle + scaled(k - middle, less);
+            const double slender = std::max(1.0, s.y / s.x);  // k.y is rounded to an ulp of the height
+            return middle + scaled(k - middle, 1 - 4e-15 * slender);
         }
         case Kind::box:
             return k;
