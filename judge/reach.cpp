@@ -39,7 +39,8 @@ V3<double> nearest_of_ellipsoid(const V3<double>& r, const V3<double>& p) {
 
 V3<double> nearest_of_cone(double radius, double height, const V3<double>& p) {
     const double flat = std::sqrt(p.x * p.x + p.z * p.z);
-    const double ux = flat > 0 ? p.x / flat : 1, uz = flat > 0 ? p.z / flat : 0;
+    if (flat == 0) return {0, std::clamp(p.y, -height, 0.0), 0};  // on the axis, but for numbers whose squares vanish
+    const double ux = p.x / flat, uz = p.z / flat;
     if (p.y <= 0 && p.y >= -height && height * flat <= -radius * p.y) return p;
     // On the disc or on the line from the apex to the rim.
     const double disc = std::min(flat, radius);
