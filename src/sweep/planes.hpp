@@ -64,10 +64,8 @@ public:
     /// When the last plane gives way. Requires: not motion_is_free(), starts_apart().
     [[nodiscard]] double time_of_last() const noexcept;
 
-    /// Does the last plane close so slowly that the sign of its closing may be rounding?
-    [[nodiscard]] bool last_may_be_parallel() const noexcept {
-        return -last_.approach <= rounding_share * norm1(query_.along);
-    }
+    /// Does the motion only graze the last plane?
+    [[nodiscard]] bool grazes_last() const noexcept { return -last_.approach <= 0x1p-16 * norm1(query_.along); }
 
     /// Among planes that are as good as the last, the one that touches the most of the triangle: where a face and an
     /// edge are met together, the face's normal is the steadier answer.

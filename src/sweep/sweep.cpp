@@ -105,7 +105,7 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     if (planes.motion_is_free()) return std::nullopt;
     if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);
 
-    if (planes.last_may_be_parallel() && approach_at_start(volume, motion, triangle) == Approach::no_closer) {
+    if (planes.grazes_last() && approach_at_start(volume, motion, triangle) == Approach::no_closer) {
         return std::nullopt;  // g is convex: what does not come closer at the start never does
     }
     double t = smaller(1, planes.time_of_last());

@@ -20,7 +20,7 @@ UprightStart<double> start_in_doubles(const SweepQuery& query, bool skip_rims) n
     ExactVec<double> corners[3];
     for (int i = 0; i < 3; ++i) corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
     UprightStart<double> start(corners, {query.along.x, query.along.y, query.along.z},
-                               upright_shape<double>(query.shape, 1.0));
+                               upright_shape<double>(query.shape, 1.0), 0.0);
     start.propose(skip_rims);
     return start;
 }
@@ -80,8 +80,6 @@ Approach decide_in_reals(const Volume& volume, const Motion& motion, const Trian
     ExactQuery<Real> query(motion, triangle);
     query.turn_into_frame(volume.orientation);
     const UprightShape<Real> shape = upright_shape<Real>(volume.shape, query.scale);
-    UprightStart<Real> start(query.corners, query.along, shape);
-    start.propose(skip_rims);
 
     // What differs by less than 2^-300 of the sizes involved is taken for equal.
     const Real tiny(0x1p-300);
@@ -89,6 +87,8 @@ Approach decide_in_reals(const Volume& volume, const Motion& motion, const Trian
     for (const auto& corner : query.corners) size = size + square_root(dot(corner, corner));
     const Real hair = size * tiny;
     const Real slope_hair = square_root(dot(query.along, query.along)) * tiny;
+    UprightStart<Real> start(query.corners, query.along, shape, hair);
+    start.propose(skip_rims);
     const Real nearest = start.largest_gap();
 
     if (nearest > hair) {

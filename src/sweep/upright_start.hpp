@@ -25,9 +25,9 @@ struct UprightShape {
 template <typename Scalar>
 class UprightStart {
 public:
-    UprightStart(const ExactVec<Scalar> (&corners)[3], const ExactVec<Scalar>& along,
-                 const UprightShape<Scalar>& shape) noexcept
-        : corners_{corners[0], corners[1], corners[2]}, along_(along), shape_(shape) {}
+    UprightStart(const ExactVec<Scalar> (&corners)[3], const ExactVec<Scalar>& along, const UprightShape<Scalar>& shape,
+                 const Scalar& axis_hair) noexcept
+        : corners_{corners[0], corners[1], corners[2]}, along_(along), shape_(shape), axis_hair_(axis_hair) {}
 
     /// Proposes all planes, those of the rims last. With `skip_rims` they are left out.
     void propose(bool skip_rims) noexcept {
@@ -113,13 +113,14 @@ private:
         }
     }
 
+    // On the axis all sides are as near; the one that the motion leaves the most counts.
+    [[nodiscard]] bool is_on_axis(const ExactVec<Scalar>& corner) const noexcept {
+        return !(corner.x * corner.x + corner.z * corner.z > axis_hair_ * axis_hair_);
+    }
+
     void add_side_against_vertex(const ExactVec<Scalar>& corner) noexcept {
-        if (sign_of(corner.x) == 0 && sign_of(corner.z) == 0) {
-            // On the axis all sides are as near; the one that the motion leaves the most counts.
-            add_side(along_.x, along_.z);
-        } else {
-            add_side(-corner.x, -corner.z);
-        }
+        if (is_on_axis(corner)) add_side(along_.x, along_.z);
+        add_side(-corner.x, -corner.z);
     }
 
     void add_side_against_edge(const ExactVec<Scalar>& edge) noexcept {
@@ -145,10 +146,9 @@ private:
         const Scalar edge2 = sideways2 + edge.y * edge.y;
         if (sign_of(edge.y) == 0) return;
         if (sign_of(sideways2) == 0) {
-            // Seen along an upright edge the rim is the circle that it is. On its axis all directions are as near.
-            const bool on_axis = sign_of(corner.x) == 0 && sign_of(corner.z) == 0;
-            add(on_axis ? ExactVec<Scalar>{along_.x, Scalar(0.0), along_.z}
-                        : ExactVec<Scalar>{-corner.x, Scalar(0.0), -corner.z});
+            // Seen along an upright edge the rim is the circle that it is.
+            if (is_on_axis(corner)) add({along_.x, Scalar(0.0), along_.z});
+            add({-corner.x, Scalar(0.0), -corner.z});
             return;
         }
         const Scalar sideways = square_root(sideways2);
@@ -211,6 +211,7 @@ private:
     ExactVec<Scalar> corners_[3];
     ExactVec<Scalar> along_;
     UprightShape<Scalar> shape_;
+    Scalar axis_hair_;  // how near the axis counts as on it
     Plane planes_[most];
     int count_ = 0;
 };
