@@ -6,6 +6,8 @@
 
 #include <surefoot/sweep.hpp>
 
+#include "splitmix.hpp"
+
 namespace surefoot {
 namespace {
 
@@ -217,6 +219,28 @@ TEST(Sweep, a_contact_can_be_left_but_not_passed_when_it_is_swept_from_again) {
         ASSERT_TRUE(again.has_value());
         EXPECT_LT(again->t, 1e-9);
         EXPECT_FALSE(sweep(standing.shape, {at, down.from}, floor_triangle).has_value());
+    }
+}
+
+TEST(Sweep, two_triangles_that_share_an_edge_stop_a_shape_on_it_at_one_t) {
+    tests::SplitMix random(3);
+    for (const Standing& standing : all_shapes) {
+        int compared = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const dvec3 a = random.point(3);
+            const dvec3 b = random.point(3);
+            const Volume volume(standing.shape, i % 2 == 0 ? random.turn() : dquat(1, 0, 0, 0));
+            const Motion motion{random.point(4), random.point(4)};
+            const auto left = sweep(volume, motion, {a, b, random.point(3)});
+            const auto right = sweep(volume, motion, {b, a, random.point(3)});
+            if (!left || !right || left->t == 0) continue;
+            if (left->feature != Feature::edge || right->feature != Feature::edge) continue;
+            const dvec3 apart = left->normal - right->normal;
+            if (apart.x * apart.x + apart.y * apart.y + apart.z * apart.z > 1e-20) continue;  // another edge of one
+            EXPECT_EQ(left->t, right->t);
+            ++compared;
+        }
+        EXPECT_GT(compared, 200);
     }
 }
 
