@@ -1,6 +1,6 @@
 # Tests that the judge takes part in.
 surefoot_test(judge_test judge_test.cpp)
-surefoot_test(metamorphic_test metamorphic_test.cpp)
+surefoot_test(metamorphic_test metamorphic_test.cpp ${PROJECT_SOURCE_DIR}/tools/prove/lines.cpp)
 surefoot_test(proof_test proof_test.cpp ${PROJECT_SOURCE_DIR}/tools/prove/lines.cpp)
 foreach(name judge_test metamorphic_test proof_test)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools)
