@@ -165,7 +165,8 @@ bool Examination::find_spanned(const Nearest<Quad>& found, double t, bool strict
     return try_span(p, count, t, strict);
 }
 
-/// Ball-like shapes, when even wide floats cannot tell corners apart (an ulp of an ulp, or of zero): all there are.
+/// Ball-like shapes and an apex, when even wide floats cannot tell corners apart (an ulp of an ulp, or of zero): all
+/// there are.
 bool Examination::find_any_spanned(double t, bool strict) {
     const int mates = query_.kind == Kind::capsule ? 2 : 1, count = 6 * mates;
     V3<Dyadic> all[12];
@@ -216,7 +217,9 @@ bool Examination::find_thoroughly(double t, bool strict) {
     const Local<Quad> local(query_);
     const Nearest<Quad> found = nearest(t, local);
     if (try_direction(found, local, t, strict)) return true;
-    if (curved) return find_curved(local, t, strict);
+    if (curved && find_curved(local, t, strict)) return true;
+    if (query_.kind == Kind::cone) return find_any_spanned(t, strict);  // against the apex
+    if (curved) return false;
     return find_spanned(found, t, strict) || find_any_spanned(t, strict);
 }
 
