@@ -22,8 +22,11 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     const double margin = planes.hair();
     // Moved out along the normal, so that it just touches; for a hit on the way that is a hair or less.
     const double gap = plane.gap + t * plane.approach;
+    const bool overlaps = gap < -margin;
     const Vec here = query.along * t;
-    const Vec touching = here - plane.normal * gap;
+    // An ellipsoid's way out is not along the normal; its nearest point is the same without it.
+    const bool is_ellipsoid = std::holds_alternative<Ellipsoid>(query.shape);
+    const Vec touching = is_ellipsoid ? here : here - plane.normal * gap;
     const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
     Contact contact;
     contact.corners = planes.touched_corners(plane.normal);
@@ -32,14 +35,21 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
         // The corners of a sliver are so nearly in a row that the plane cannot tell on which of them the shape is.
         for (const unsigned part : {3U, 6U, 5U, 7U}) {
             const Vec other = point_on_part(query.shape, at_touch, part, margin);
-            if (outside_by(query.shape, other) < outside_by(query.shape, point)) point = other;
+            if (outside_by(query.shape, other) >= outside_by(query.shape, point)) continue;
+            point = other;
+            contact.is_on_part = !overlaps && part != 7;
+            if (contact.is_on_part) contact.corners = part;
         }
     }
     contact.point = point + touching;
-    const bool overlaps = gap < -margin;
     if (overlaps && outside_by(query.shape, contact.point - here) > margin) {
         const Vec now[3] = {query.corners[0] - here, query.corners[1] - here, query.corners[2] - here};
-        contact.point = deepest_on_triangle(query.shape, now, margin) + here;
+        Vec deepest = deepest_on_triangle(query.shape, now, margin);
+        for (const unsigned part : {3U, 6U, 5U}) {
+            const Vec other = point_on_part(query.shape, now, part, margin);
+            if (outside_by(query.shape, other) < outside_by(query.shape, deepest)) deepest = other;
+        }
+        contact.point = deepest + here;
         contact.is_on_part = false;
     }
     return contact;
