@@ -44,8 +44,9 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     contact.point = point + touching;
     if (overlaps && outside_by(query.shape, contact.point - here) > margin) {
         const Vec now[3] = {query.corners[0] - here, query.corners[1] - here, query.corners[2] - here};
-        Vec deepest = deepest_on_triangle(query.shape, now, margin);
-        for (const unsigned part : {3U, 6U, 5U}) {
+        // The whole triangle comes last: across a sliver a point is less certain than on an edge.
+        Vec deepest = point_on_part(query.shape, now, 3, margin);
+        for (const unsigned part : {6U, 5U, 7U}) {
             const Vec other = point_on_part(query.shape, now, part, margin);
             if (outside_by(query.shape, other) < outside_by(query.shape, deepest)) deepest = other;
         }
