@@ -28,8 +28,8 @@ int side_of_plane(const Vec& a, const Vec& b, const Vec& c, const Vec& d) noexce
     const double determinant = dot(cross(ab, ac), ad);
     // Each difference is good to one rounding, each product of three to five more; 16 covers the sums too.
     const double bound = 16 * 0x1p-53 * norm1(ab) * norm1(ac) * norm1(ad);
-    if (determinant > bound) return 1;
-    if (determinant < -bound) return -1;
+    // A bound near the end of the doubles' range is no bound.
+    if (bound > 0x1p-900 && absolute(determinant) > bound) return determinant > 0 ? 1 : -1;
     const auto exact_a = to_exact<RayNumber>(a);
     return dot(cross(to_exact<RayNumber>(b) - exact_a, to_exact<RayNumber>(c) - exact_a),
                to_exact<RayNumber>(d) - exact_a)

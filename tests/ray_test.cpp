@@ -89,6 +89,14 @@ TEST(Ray, never_slips_between_two_triangles_that_share_an_edge) {
     }
 }
 
+TEST(Ray, tiny_triangles_are_decided_as_exactly_as_any) {
+    // Products of these coordinates are far below the smallest double.
+    const Triangle tiny{{-5e-120, 0, -5e-120}, {0, 0, 5e-120}, {5e-120, 0, -5e-120}};
+    EXPECT_TRUE(ray({{1e-121, 3e-120, 0}, {1e-121, -1e-120, 0}}, tiny).has_value());
+    EXPECT_FALSE(ray({{9e-120, 3e-120, 0}, {9e-120, -1e-120, 0}}, tiny).has_value());
+    EXPECT_FALSE(ray({{0, 3e-120, 0}, {0, 1e-120, 0}}, tiny).has_value());
+}
+
 TEST(Ray, one_sided_sees_fronts_only) {
     const Motion down{{0, 3, 0}, {0, -3, 0}};
     EXPECT_TRUE(ray(down, floor_triangle, {.one_sided = true}).has_value());
