@@ -1,5 +1,7 @@
 #include "nearest.hpp"
 
+#include "exact/products.hpp"
+
 namespace surefoot::internal {
 
 namespace {
@@ -47,15 +49,16 @@ Vec nearest_on_segment(const Vec& point, const Vec& a, const Vec& b) noexcept {
 
 // Face, else the nearest of the edges: steadier for slivers than deciding the region first.
 Vec nearest_on_triangle(const Vec& point, const Vec (&corners)[3]) noexcept {
-    const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double size = squared(normal);
-    if (size > 0) {
+    // The plane of a sliver is lost in a plain cross product.
+    const Vec normal =
+        unit(accurate_cross(scaled_to_one(corners[1] - corners[0]), scaled_to_one(corners[2] - corners[0])));
+    if (normal != Vec{}) {
         bool inside = true;
         for (int i = 0; i < 3; ++i) {
             const Vec& a = corners[i];
             inside = inside && dot(cross(corners[(i + 1) % 3] - a, point - a), normal) >= 0;
         }
-        if (inside) return point - normal * (dot(point - corners[0], normal) / size);
+        if (inside) return point - normal * dot(point - corners[0], normal);
     }
     Vec best = nearest_on_segment(point, corners[0], corners[1]);
     for (int i = 1; i < 3; ++i) {
