@@ -38,9 +38,6 @@ public:
         return x_axis_ * local.x + y_axis_ * local.y + z_axis_ * local.z;
     }
 
-    /// True when the shape's axes are the world's, exactly.
-    [[nodiscard]] bool is_upright() const noexcept { return upright_; }
-
 private:
     Vec x_axis_{1, 0, 0};
     Vec y_axis_{0, 1, 0};

@@ -21,17 +21,21 @@ Vec side_normal(const Cone& cone, const Vec& sideways) noexcept {
     return {h.x * cone.height, cone.radius, h.z * cone.height};
 }
 
-// The side normals perpendicular to `direction`, if there are any.
-void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes& planes) noexcept {
-    const Vec v = scaled_to_one(direction);
-    const double sideways = std::sqrt(v.x * v.x + v.z * v.z);
-    // cosine of the angle between h and the direction's sideways part, times `sideways`
-    const double lean = -cone.radius * v.y / cone.height;
-    if (sideways == 0 || absolute(lean) > sideways) return;
+// The two side normals with h . v_h = lean, if there are any; `sideways` is the length of v_h.
+void consider_leaning_sides(const Cone& cone, const Vec& v, double sideways, double lean, Planes& planes) noexcept {
+    if (absolute(lean) > sideways) return;
     const double other = std::sqrt((sideways - lean) * (sideways + lean));
     for (const double turn : {-other, other}) {
         planes.consider(side_normal(cone, {lean * v.x - turn * v.z, 0, lean * v.z + turn * v.x}));
     }
+}
+
+// The side normals perpendicular to `direction`.
+void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes& planes) noexcept {
+    const Vec v = scaled_to_one(direction);
+    const double sideways = std::sqrt(v.x * v.x + v.z * v.z);
+    if (sideways == 0) return;
+    consider_leaning_sides(cone, v, sideways, -cone.radius * v.y / cone.height, planes);
 }
 
 // The plane through the apex and the line on which the vertex moves cuts the cone in two generators, or not at all. The
@@ -41,10 +45,6 @@ void consider_perpendicular_sides(const Cone& cone, const Vec& direction, Planes
 // grazes the side still cuts it at an angle.
 void consider_vertex(const SweepQuery& query, const Cone& cone, int vertex, Planes& planes) noexcept {
     const Vec& corner = query.corners[vertex];
-    if (query.along == Vec{}) {
-        planes.consider(side_normal(cone, -corner));
-        return;
-    }
     const double side = std::sqrt(cone.radius * cone.radius + cone.height * cone.height);
     const Vec lifted{corner.x, corner.y + inflation * query.triangle_hair() * side / cone.radius, corner.z};
     const Vec p = accurate_cross(scaled_to_one(lifted), scaled_to_one(query.along));
@@ -53,12 +53,7 @@ void consider_vertex(const SweepQuery& query, const Cone& cone, int vertex, Plan
         planes.consider(side_normal(cone, {1, 0, 0}));  // up or down the axis, through the apex: any side will do
         return;
     }
-    const double lean = p.y * cone.height / cone.radius;
-    if (absolute(lean) > sideways) return;
-    const double other = std::sqrt((sideways - lean) * (sideways + lean));
-    for (const double turn : {-other, other}) {
-        planes.consider(side_normal(cone, {lean * p.x - turn * p.z, 0, lean * p.z + turn * p.x}));
-    }
+    consider_leaning_sides(cone, p, sideways, p.y * cone.height / cone.radius, planes);
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ public:
     /// edge are met together, the face's normal is the steadier answer.
     [[nodiscard]] Plane steadiest_at(double t) const noexcept;
 
-    /// Of the planes that the motion closes on, the one with the least depth at `from`. Requires: a plane was
-    /// considered.
+    /// The plane with the least depth at `from`; of several as near, one that the motion closes on and that touches the
+    /// most of the triangle.
     [[nodiscard]] Plane shallowest() const noexcept;
 
     /// Tells the trace that shape and triangle are in touch at `from`, and where.

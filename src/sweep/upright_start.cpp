@@ -16,12 +16,12 @@ UprightShape<Scalar> upright_shape(const Shape& shape, const Scalar& scale) noex
     return {Scalar(cylinder.radius) * scale, Scalar(cylinder.half_height) * scale, false};
 }
 
-UprightStart<double> start_in_doubles(const SweepQuery& query, bool skip_rims) noexcept {
+UprightStart<double> start_in_doubles(const SweepQuery& query) noexcept {
     ExactVec<double> corners[3];
     for (int i = 0; i < 3; ++i) corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
     UprightStart<double> start(corners, {query.along.x, query.along.y, query.along.z},
                                upright_shape<double>(query.shape, 1.0), 0.0);
-    start.propose(skip_rims);
+    start.propose(false);
     return start;
 }
 
@@ -45,9 +45,9 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     const double rim_hair = 0x1p-20 * extent;
     const double rim_slope_hair = 0x1p-20 * norm1(query.along);
     const double slope_hair = 0x1p-40 * norm1(query.along);
-    const UprightStart<double> with_rims = start_in_doubles(query, false);
-    const int first_rim = start_in_doubles(query, true).count();
-    const double nearest = with_rims.largest_gap();
+    const UprightStart<double> start = start_in_doubles(query);
+    const int first_rim = start.first_rim();
+    const double nearest = start.largest_gap();
 
     Outlook outlook;
     bool all_close = true;
@@ -55,8 +55,8 @@ Outlook look_in_doubles(const Volume& volume, const Motion& motion, const Triang
     // An edge nearly parallel to the rims may have lost its climb to rounding.
     bool some_rim = false;
     for (int i = 0; i < 3; ++i) some_rim = some_rim || absolute(query.edge_direction(i).y) < hair;
-    for (int i = 0; i < with_rims.count(); ++i) {
-        const auto& plane = with_rims.plane(i);
+    for (int i = 0; i < start.count(); ++i) {
+        const auto& plane = start.plane(i);
         if (plane.gap < nearest - (i < first_rim ? hair : rim_hair)) continue;
         some_rim = some_rim || i >= first_rim;
         const double flat = i < first_rim ? slope_hair : rim_slope_hair;
@@ -116,7 +116,7 @@ Approach decide_in_reals(const Volume& volume, const Motion& motion, const Trian
 }  // namespace
 
 void propose_upright_standing(const SweepQuery& query, Planes& planes) noexcept {
-    const UprightStart<double> start = start_in_doubles(query, false);
+    const UprightStart<double> start = start_in_doubles(query);
     for (int i = 0; i < start.count(); ++i) {
         const auto& normal = start.plane(i).normal;
         planes.consider({normal.x, normal.y, normal.z});

@@ -40,6 +40,7 @@ public:
             add_side_against_edge(edge);
             add_side_against_vertex(corners_[i]);
         }
+        first_rim_ = count_;
         for (int i = 0; i < 3 && !skip_rims; ++i) {
             const ExactVec<Scalar> edge = corners_[(i + 1) % 3] - corners_[i];
             add_rim_against_edge(corners_[i], edge, shape_.height);
@@ -54,6 +55,8 @@ public:
     };
 
     [[nodiscard]] int count() const noexcept { return count_; }
+    /// Planes from here on are those of the rims.
+    [[nodiscard]] int first_rim() const noexcept { return first_rim_; }
     [[nodiscard]] const Plane& plane(int i) const noexcept { return planes_[i]; }
 
     /// The combination of two planes that is perpendicular to the motion. Of a plane and its opposite nothing is left
@@ -214,6 +217,7 @@ private:
     Scalar axis_hair_;  // how near the axis counts as on it
     Plane planes_[most];
     int count_ = 0;
+    int first_rim_ = 0;
 };
 
 /// Requires as in approach_at_start, and a cylinder or a cone.
