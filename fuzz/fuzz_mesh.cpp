@@ -37,8 +37,8 @@ void require_same(const std::optional<surefoot::Hit>& by_tree, const std::option
 void check_queries(const surefoot::Mesh& mesh, Bytes& bytes) {
     const auto kind = bytes.take<std::uint8_t>();
     const bool raw = (kind & 1) != 0;
-    const surefoot::MeshQueryOptions tree{.one_sided = (kind & 2) != 0};
-    surefoot::MeshQueryOptions force = tree;
+    const surefoot::QueryOptions tree{.one_sided = (kind & 2) != 0};
+    surefoot::QueryOptions force = tree;
     force.search = surefoot::Search::brute_force;
     const surefoot::Volume volume = bytes.volume(raw);
     const surefoot::Motion motion{bytes.vector(raw), bytes.vector(raw)};

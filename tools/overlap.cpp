@@ -54,7 +54,7 @@ ExitCode run_overlap(const OverlapOptionsGiven& given) {
     const Volume volume = given.volume.volume();
     const dvec3 at = position_of("--at", given.at);
     const Level level = load_level(given.level);
-    const MeshQueryOptions options{.one_sided = given.volume.one_sided};
+    const QueryOptions options{.one_sided = given.volume.one_sided};
     std::vector<Overlap> found(level.mesh.overlap(volume, at, {}, options));
     level.mesh.overlap(volume, at, found, options);
     for (const Overlap& overlap : found)

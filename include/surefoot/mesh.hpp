@@ -5,14 +5,15 @@
 #include <optional>
 #include <span>
 
+#include <surefoot/bounds.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/march.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/overlap.hpp>
+#include <surefoot/query.hpp>
 #include <surefoot/shapes.hpp>
 #include <surefoot/sweep.hpp>
-#include <surefoot/trace.hpp>
 
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
@@ -22,21 +23,6 @@ struct MeshInput {
     std::span<const vec3> vertices;             ///< [m, finite, each within +-1e9]
     std::span<const std::uint32_t> indices;     ///< three a triangle, counter-clockwise when seen from the front
     std::span<const std::uint32_t> surfaces{};  ///< one a triangle, your own numbers; empty means 0 for all
-};
-
-/// How a query on a mesh finds its triangles. Both give the same bits; brute force is the reference that proves it.
-enum class Search : std::uint8_t { tree, brute_force };
-
-struct MeshQueryOptions {
-    bool one_sided = false;  ///< see SweepOptions and OverlapOptions
-    Search search = Search::tree;
-    Trace* trace = nullptr;  ///< records of every triangle that was tested; none by default
-};
-
-/// An axis-aligned box around something.
-struct Bounds {
-    dvec3 min{0, 0, 0};  ///< [m]
-    dvec3 max{0, 0, 0};  ///< [m]
 };
 
 /// Immutable triangles and a tree. Cheap to copy: copies share the same data.
@@ -58,15 +44,32 @@ public:
 
     /// The first touch of `volume` along `motion`; ties in t go to the lowest triangle id.
     [[nodiscard]] std::optional<Hit> sweep(const Volume& volume, const Motion& motion,
-                                           const MeshQueryOptions& options = {}) const noexcept;
+                                           const QueryOptions& options = {}) const noexcept;
 
     /// Where the segment first meets the mesh; ties in t go to the lowest triangle id.
-    [[nodiscard]] std::optional<Hit> ray(const Motion& motion, const MeshQueryOptions& options = {}) const noexcept;
+    [[nodiscard]] std::optional<Hit> ray(const Motion& motion, const QueryOptions& options = {}) const noexcept;
 
     /// All triangles that `volume` at `position` touches, in the order of their ids. Fills `found` from the front and
     /// returns how many there were, which may be more than found room.
     std::size_t overlap(const Volume& volume, const dvec3& position, std::span<Overlap> found,
-                        const MeshQueryOptions& options = {}) const noexcept;
+                        const QueryOptions& options = {}) const noexcept;
+
+    /// Is there any touch along `motion`? The same as asking whether `sweep` has an answer, but any triangle will do.
+    [[nodiscard]] bool sweep_any(const Volume& volume, const Motion& motion,
+                                 const QueryOptions& options = {}) const noexcept;
+
+    /// Does the segment meet anything? The same as asking whether `ray` has an answer, but any triangle will do.
+    [[nodiscard]] bool ray_any(const Motion& motion, const QueryOptions& options = {}) const noexcept;
+
+    /// The point of the mesh that is nearest to `point`, if it is within `farthest` [m, >= 0].
+    [[nodiscard]] std::optional<NearestPoint> nearest(const dvec3& point, double farthest,
+                                                      const QueryOptions& options = {}) const noexcept;
+
+    /// All triangles whose own box meets `near`, touching included, in the order of their ids: for a step that asks
+    /// many questions of the same few triangles. Fills `found` from the front and returns how many there were, which
+    /// may be more than found room; then the ones found are any of them, still in order.
+    std::size_t gather(const Bounds& near, std::span<SourceTriangle> found,
+                       const QueryOptions& options = {}) const noexcept;
 
     [[nodiscard]] std::size_t triangle_count() const noexcept;
     [[nodiscard]] std::size_t vertex_count() const noexcept;

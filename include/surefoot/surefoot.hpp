@@ -1,6 +1,7 @@
 /// Everything at once. Each header also compiles alone.
 #pragma once
 
+#include <surefoot/bounds.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/march.hpp>
@@ -8,6 +9,7 @@
 #include <surefoot/mesh.hpp>
 #include <surefoot/overlap.hpp>
 #include <surefoot/pair.hpp>
+#include <surefoot/query.hpp>
 #include <surefoot/ray.hpp>
 #include <surefoot/shapes.hpp>
 #include <surefoot/slab.hpp>

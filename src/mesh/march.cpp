@@ -6,7 +6,7 @@ namespace surefoot {
 inline namespace v0 {
 
 std::optional<MarchHit> march(const Volume& volume, const Path& path, const Mesh& mesh, const MarchOptions& options) {
-    const MeshQueryOptions query{.one_sided = options.one_sided};
+    const QueryOptions query{.one_sided = options.one_sided};
     const auto swept = [&](const Motion& motion) noexcept { return mesh.sweep(volume, motion, query); };
     const auto look = [&](const dvec3& position) noexcept -> std::optional<Overlap> {
         Overlap first;

@@ -11,7 +11,8 @@
 #include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "mesh/tree.hpp"
-#include "sweep/query.hpp"
+#include "query/answers.hpp"
+#include "query/reach.hpp"
 #include "sweep/sweep.hpp"
 
 namespace surefoot {
@@ -34,37 +35,27 @@ struct Mesh::Data {
         return {corner(0), corner(1), corner(2)};
     }
     [[nodiscard]] std::uint32_t surface(std::uint32_t id) const noexcept { return surfaces.empty() ? 0 : surfaces[id]; }
+    [[nodiscard]] std::optional<Hit> with_surface(std::optional<Hit> hit) const noexcept {
+        if (hit) hit->surface = surface(hit->triangle);
+        return hit;
+    }
+    template <typename Ask, typename Limit>
+    void visit(const Motion& motion, const Box3& extent, const QueryOptions& options, const Ask& ask,
+               const Limit& limit) const noexcept;
     [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(indices.size() / 3); }
 };
 
 namespace {
 
-// A few thousand times the rounding of a sweep: a box may be visited for nothing, never be passed over.
-constexpr double box_margin_share = 0x1p-36;
-
-double magnitude(const Box3& box) noexcept {
-    return larger(largest(box.min), largest(box.max));
-}
-
-// How far the volume reaches from its reference point along each axis of the world, and a margin.
-Vec reach_of(const Volume& volume, const Motion& motion, const Box3& bounds) noexcept {
-    const Frame frame(volume.orientation);
-    const auto along = [&](const Vec& axis) {
-        const Vec local = unit(frame.to_local(axis));
-        return larger(reach_against(volume.shape, local), reach_against(volume.shape, -local));
-    };
-    const double margin = box_margin_share * (size_of(volume.shape) + magnitude(bounds) + norm1(to_vec(motion.from)) +
-                                              norm1(to_vec(motion.to)));
-    return Vec{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})} + Vec{margin, margin, margin};
-}
-
-bool is_before(const Hit& a, const Hit& b) noexcept {
-    return a.t != b.t ? a.t < b.t : a.triangle < b.triangle;
+// Every coordinate that takes part in a query on a mesh is at most this.
+double magnitude_of(const Motion& motion, const Box3& bounds) noexcept {
+    return larger(internal::magnitude_of(motion), internal::magnitude_of(bounds));
 }
 
 // Calls `ask(id)` for every triangle whose box the motion may meet before `limit()`, nearest boxes first.
 template <typename Ask, typename Limit>
-void visit_nearest_first(const Tree& tree, const BoxSweep& boxes, const Ask& ask, const Limit& limit) noexcept {
+void visit_nearest_first(const Tree& tree, const BoxSweep& boxes, const Ask& ask, const Limit& limit,
+                         QueryWork* work) noexcept {
     struct Entry {
         double t;
         std::uint32_t node;
@@ -78,6 +69,7 @@ void visit_nearest_first(const Tree& tree, const BoxSweep& boxes, const Ask& ask
         const Entry entry = stack[--size];
         if (entry.t > limit()) continue;
         const TreeNode& node = tree.nodes[entry.node];
+        if (work != nullptr) ++work->nodes;
         for (std::uint32_t i = 0; i < node.count; ++i) ask(tree.order[node.first + i]);
         if (node.count > 0) continue;
         Entry near{boxes.entry(tree.nodes[node.first].box), node.first};
@@ -156,49 +148,81 @@ Expected<Mesh> Mesh::build(const MeshInput& input) {
     return Mesh(data);
 }
 
-std::optional<Hit> Mesh::sweep(const Volume& volume, const Motion& motion,
-                               const MeshQueryOptions& options) const noexcept {
-    const internal::IeeeGuard guard;
-    if (!is_valid_query(volume, motion)) return blocked(HitStatus::invalid);
-    std::optional<Hit> first;
-    const auto ask = [&](std::uint32_t id) {
-        auto hit = sweep_triangle(volume, motion, data_->triangle(id), id, options.one_sided, options.trace);
-        if (hit && (!first || is_before(*hit, *first))) first = hit;
+// Calls `ask(id)` for the triangles that a query can have to do with: all of them by brute force.
+template <typename Ask, typename Limit>
+void Mesh::Data::visit(const Motion& motion, const Box3& extent, const QueryOptions& options, const Ask& ask,
+                       const Limit& limit) const noexcept {
+    const auto ask_filtered = [&](std::uint32_t id) {
+        if (options.filter && !options.filter(id, surface(id))) return;
+        if (options.work != nullptr) ++options.work->triangles;
+        ask(id);
     };
     if (options.search == Search::brute_force) {
-        for (std::uint32_t id = 0; id < data_->count(); ++id) ask(id);
+        for (std::uint32_t id = 0; id < count(); ++id) ask_filtered(id);
     } else {
-        const BoxSweep boxes(motion, reach_of(volume, motion, data_->bounds));
-        visit_nearest_first(data_->tree, boxes, ask, [&] { return first ? first->t : 1.0; });
+        visit_nearest_first(tree, BoxSweep(motion, extent), ask_filtered, limit, options.work);
     }
-    if (first) first->surface = data_->surface(first->triangle);
-    return first;
 }
 
-std::optional<Hit> Mesh::ray(const Motion& motion, const MeshQueryOptions& options) const noexcept {
+std::optional<Hit> Mesh::sweep(const Volume& volume, const Motion& motion, const QueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
+    if (!is_valid_query(volume, motion)) return blocked(HitStatus::invalid);
+    FirstHit first;
+    data_->visit(
+        motion, extent_of(volume, magnitude_of(motion, data_->bounds)), options,
+        [&](std::uint32_t id) {
+            first.offer(sweep_triangle(volume, motion, data_->triangle(id), id, options.one_sided, options.trace));
+        },
+        [&] { return first.limit(); });
+    return data_->with_surface(first.get());
+}
+
+bool Mesh::sweep_any(const Volume& volume, const Motion& motion, const QueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
+    if (!is_valid_query(volume, motion)) return true;
+    bool found = false;
+    data_->visit(
+        motion, extent_of(volume, magnitude_of(motion, data_->bounds)), options,
+        [&](std::uint32_t id) {
+            if (found) return;
+            found =
+                sweep_triangle(volume, motion, data_->triangle(id), id, options.one_sided, options.trace).has_value();
+        },
+        [&] { return found ? -1.0 : 1.0; });
+    return found;
+}
+
+std::optional<Hit> Mesh::ray(const Motion& motion, const QueryOptions& options) const noexcept {
     const internal::IeeeGuard guard;
     if (!is_valid_point(motion.from) || !is_valid_point(motion.to)) return blocked(HitStatus::invalid);
-    std::optional<Hit> first;
-    const auto ask = [&](std::uint32_t id) {
-        auto hit = surefoot::ray(motion, data_->triangle(id), {.one_sided = options.one_sided});
-        if (!hit) return;
-        hit->triangle = id;
-        if (!first || is_before(*hit, *first)) first = hit;
-    };
-    if (options.search == Search::brute_force) {
-        for (std::uint32_t id = 0; id < data_->count(); ++id) ask(id);
-    } else {
-        const double margin =
-            box_margin_share * (magnitude(data_->bounds) + norm1(to_vec(motion.from)) + norm1(to_vec(motion.to)));
-        const BoxSweep boxes(motion, {margin, margin, margin});
-        visit_nearest_first(data_->tree, boxes, ask, [&] { return first ? first->t : 1.0; });
-    }
-    if (first) first->surface = data_->surface(first->triangle);
-    return first;
+    FirstHit first;
+    data_->visit(
+        motion, extent_of_point(magnitude_of(motion, data_->bounds)), options,
+        [&](std::uint32_t id) {
+            auto hit = surefoot::ray(motion, data_->triangle(id), {.one_sided = options.one_sided});
+            if (hit) hit->triangle = id;
+            first.offer(hit);
+        },
+        [&] { return first.limit(); });
+    return data_->with_surface(first.get());
+}
+
+bool Mesh::ray_any(const Motion& motion, const QueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
+    if (!is_valid_point(motion.from) || !is_valid_point(motion.to)) return true;
+    bool found = false;
+    data_->visit(
+        motion, extent_of_point(magnitude_of(motion, data_->bounds)), options,
+        [&](std::uint32_t id) {
+            if (found) return;
+            found = surefoot::ray(motion, data_->triangle(id), {.one_sided = options.one_sided}).has_value();
+        },
+        [&] { return found ? -1.0 : 1.0; });
+    return found;
 }
 
 std::size_t Mesh::overlap(const Volume& volume, const dvec3& position, std::span<Overlap> found,
-                          const MeshQueryOptions& options) const noexcept {
+                          const QueryOptions& options) const noexcept {
     const internal::IeeeGuard guard;
     const Motion standing{position, position};
     if (!is_valid_query(volume, standing)) {
@@ -208,27 +232,54 @@ std::size_t Mesh::overlap(const Volume& volume, const dvec3& position, std::span
         }
         return 1;
     }
-    std::size_t count = 0;
-    const auto ask = [&](std::uint32_t id) {
-        auto overlap = surefoot::overlap(volume, position, data_->triangle(id), {.one_sided = options.one_sided});
-        if (!overlap) return;
-        overlap->triangle = id;
-        overlap->surface = data_->surface(id);
-        // Into its place by id; the last one falls out when there is no more room.
-        std::size_t place = std::min(count, found.size());
-        while (place > 0 && found[place - 1].triangle > id) {
-            if (place < found.size()) found[place] = found[place - 1];
-            --place;
-        }
-        if (place < found.size()) found[place] = *overlap;
-        ++count;
-    };
-    if (options.search == Search::brute_force) {
-        for (std::uint32_t id = 0; id < data_->count(); ++id) ask(id);
-    } else {
-        const BoxSweep boxes(standing, reach_of(volume, standing, data_->bounds));
-        visit_nearest_first(data_->tree, boxes, ask, [] { return 1.0; });
+    OverlapsInOrder overlaps(found);
+    data_->visit(
+        standing, extent_of(volume, magnitude_of(standing, data_->bounds)), options,
+        [&](std::uint32_t id) {
+            auto overlap = surefoot::overlap(volume, position, data_->triangle(id), {.one_sided = options.one_sided});
+            if (!overlap) return;
+            overlap->triangle = id;
+            overlap->surface = data_->surface(id);
+            overlaps.add(*overlap);
+        },
+        [] { return 1.0; });
+    return overlaps.count();
+}
+
+std::optional<NearestPoint> Mesh::nearest(const dvec3& point, double farthest,
+                                          const QueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
+    if (!is_valid_point(point) || !(farthest >= 0)) {
+        return NearestPoint{.point = {}, .status = HitStatus::invalid};
     }
+    NearestOfAll nearest(point, farthest);
+    const double reach = smaller(farthest, 4 * largest_coordinate);
+    Box3 extent = extent_of_point(larger(largest(to_vec(point)), internal::magnitude_of(data_->bounds)));
+    extent = {extent.min - Vec{reach, reach, reach}, extent.max + Vec{reach, reach, reach}};
+    data_->visit(
+        Motion{point, point}, extent, options,
+        [&](std::uint32_t id) {
+            nearest.offer({.triangle = data_->triangle(id), .id = id, .surface = data_->surface(id)});
+        },
+        [] { return 1.0; });
+    return nearest.get();
+}
+
+std::size_t Mesh::gather(const Bounds& near, std::span<SourceTriangle> found,
+                         const QueryOptions& options) const noexcept {
+    const internal::IeeeGuard guard;
+    const Box3 box{to_vec(near.min), to_vec(near.max)};
+    std::size_t count = 0;
+    data_->visit(
+        Motion{}, box, options,
+        [&](std::uint32_t id) {
+            const Triangle triangle = data_->triangle(id);
+            if (!box.meets(box_of(triangle))) return;
+            if (count < found.size()) found[count] = {.triangle = triangle, .id = id, .surface = data_->surface(id)};
+            ++count;
+        },
+        [] { return 1.0; });
+    sort_gathered(found.first(std::min(count, found.size())));
     return count;
 }
 

@@ -65,8 +65,8 @@ Tree build_tree(std::span<const Box3> boxes) {
     return tree;
 }
 
-BoxSweep::BoxSweep(const Motion& motion, const Vec& reach) noexcept
-    : from_(to_vec(motion.from)), along_(to_vec(motion.to) - from_), reach_(reach) {}
+BoxSweep::BoxSweep(const Motion& motion, const Box3& extent) noexcept
+    : from_(to_vec(motion.from)), along_(to_vec(motion.to) - from_), extent_(extent) {}
 
 double BoxSweep::entry(const Box3& box) const noexcept {
     double enter = 0;
@@ -74,8 +74,8 @@ double BoxSweep::entry(const Box3& box) const noexcept {
     for (int axis = 0; axis < 3; ++axis) {
         const double from = component(from_, axis);
         const double along = component(along_, axis);
-        const double low = component(box.min, axis) - component(reach_, axis) - from;
-        const double high = component(box.max, axis) + component(reach_, axis) - from;
+        const double low = component(box.min, axis) - component(extent_.max, axis) - from;
+        const double high = component(box.max, axis) - component(extent_.min, axis) - from;
         if (along == 0) {
             if (low > 0 || high < 0) return 2;
             continue;

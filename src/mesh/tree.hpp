@@ -7,23 +7,10 @@
 
 #include <surefoot/math.hpp>
 
+#include "query/reach.hpp"
 #include "vec.hpp"
 
 namespace surefoot::internal {
-
-struct Box3 {
-    Vec min;
-    Vec max;
-
-    void include(const Vec& p) noexcept {
-        min = {smaller(min.x, p.x), smaller(min.y, p.y), smaller(min.z, p.z)};
-        max = {larger(max.x, p.x), larger(max.y, p.y), larger(max.z, p.z)};
-    }
-    void include(const Box3& box) noexcept {
-        include(box.min);
-        include(box.max);
-    }
-};
 
 struct TreeNode {
     Box3 box;
@@ -41,10 +28,11 @@ struct Tree {
 
 [[nodiscard]] Tree build_tree(std::span<const Box3> boxes);
 
-/// The part of a motion, as times in [0, 1], during which a point comes within `reach` of a box along each axis.
+/// The part of a motion, as times in [0, 1], during which something of this extent about its reference point meets a
+/// box.
 class BoxSweep {
 public:
-    BoxSweep(const Motion& motion, const Vec& reach) noexcept;
+    BoxSweep(const Motion& motion, const Box3& extent) noexcept;
 
     /// When it enters, or anything above 1 if it does not. Never later than the truth.
     [[nodiscard]] double entry(const Box3& box) const noexcept;
@@ -52,7 +40,7 @@ public:
 private:
     Vec from_;
     Vec along_;
-    Vec reach_;
+    Box3 extent_;
 };
 
 }  // namespace surefoot::internal

@@ -7,6 +7,7 @@
 #include <surefoot/shapes.hpp>
 
 #include "exact/products.hpp"
+#include "frame.hpp"
 #include "vec.hpp"
 
 namespace surefoot::internal {
@@ -22,6 +23,17 @@ struct TriangleProblem {
     double winding = 1;  ///< 1 if the corners go counter-clockwise when seen from the front, -1 if clockwise
     double scale = 0;    ///< the largest of the corners' components [m]
 };
+
+/// The corners in an order of their own, so that the caller's order changes no bit of the answer but the front.
+struct OrderedTriangle {
+    Vec corner[3];  ///< in the world
+    bool mirrored = false;
+};
+
+[[nodiscard]] OrderedTriangle ordered(const Triangle& triangle) noexcept;
+
+/// The triangle in the frame of a shape that stands at `position`.
+[[nodiscard]] TriangleProblem seen_by(const Frame& frame, const OrderedTriangle& world, const Vec& position) noexcept;
 
 /// How to get out: the least depth over all directions that were considered.
 struct WayOut {

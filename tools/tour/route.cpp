@@ -211,7 +211,7 @@ std::vector<dvec3> standing_places(const Mesh& mesh, const Walker& walker) {
     const Bounds bounds = mesh.bounds();
     const dvec3 size = bounds.max - bounds.min;
     const Gait gait = gait_of(walker);
-    const MeshQueryOptions options{.one_sided = walker.one_sided};
+    const QueryOptions options{.one_sided = walker.one_sided};
     std::vector<dvec3> places;
     for (int i = 0; i < cells; ++i)
         for (int k = 0; k < cells; ++k) {

@@ -1,0 +1,38 @@
+#include "query/reach.hpp"
+
+#include "frame.hpp"
+#include "sweep/query.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+constexpr double margin_share = 0x1p-36;
+
+}  // namespace
+
+Box3 extent_of(const Volume& volume, double magnitude) noexcept {
+    const Frame frame(volume.orientation);
+    const auto along = [&](const Vec& axis) { return reach_against(volume.shape, unit(frame.to_local(-axis))); };
+    const double m = margin_share * (size_of(volume.shape) + 4 * magnitude);
+    const Vec margin{m, m, m};
+    const Vec low{along({-1, 0, 0}), along({0, -1, 0}), along({0, 0, -1})};
+    const Vec high{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+    return {-low - margin, high + margin};
+}
+
+Box3 extent_of_point(double magnitude) noexcept {
+    const double m = margin_share * 4 * magnitude;
+    return {{-m, -m, -m}, {m, m, m}};
+}
+
+Box3 swept_box(const Box3& extent, const Motion& motion) noexcept {
+    const Vec from = to_vec(motion.from);
+    const Vec to = to_vec(motion.to);
+    Box3 box{from + extent.min, from + extent.max};
+    box.include(to + extent.min);
+    box.include(to + extent.max);
+    return box;
+}
+
+}  // namespace surefoot::internal
