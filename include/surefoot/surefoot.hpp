@@ -13,6 +13,7 @@
 #include <surefoot/ray.hpp>
 #include <surefoot/shapes.hpp>
 #include <surefoot/slab.hpp>
+#include <surefoot/source.hpp>
 #include <surefoot/sweep.hpp>
 #include <surefoot/trace.hpp>
 #include <surefoot/version.hpp>
