@@ -1,0 +1,73 @@
+/// A workload: who is asked what, along which motions. To add one is to add a line to `all_workloads`.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <surefoot/mesh.hpp>
+
+#include "motions.hpp"
+#include "peers/peer.hpp"
+#include "scenes/scene.hpp"
+
+namespace surefoot::bench {
+
+enum class Solver { surefoot, embree, bullet };
+enum class Question {
+    sweep,
+    ray,
+    overlap,  ///< all triangles that the body overlaps at the end of the motion
+};
+enum class Order {
+    random,  ///< as made: far apart, on cold memory
+    sorted,  ///< neighbours in space one by one
+};
+
+struct Workload {
+    Solver solver = Solver::surefoot;
+    Question question = Question::sweep;
+    Path path = Path::brief;
+    Body body = Body::sphere;
+    Order order = Order::random;
+};
+
+/// All there are, in the order in which they are told.
+[[nodiscard]] std::vector<Workload> all_workloads();
+
+/// "short sphere sweep", "long ray", "sphere overlap".
+[[nodiscard]] std::string name_of(const Workload& workload);
+[[nodiscard]] std::string_view name_of(Solver solver);
+[[nodiscard]] std::string_view name_of(Order order);
+
+/// A scene, and everything that answers questions about it. Stays where it is: the peers point into the scene.
+struct Stage {
+    explicit Stage(Scene&& made);
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    [[nodiscard]] const Peer* peer(Solver solver) const {
+        return solver == Solver::embree ? embree.get() : solver == Solver::bullet ? bullet.get() : nullptr;
+    }
+    [[nodiscard]] bool can_run(const Workload& workload) const {
+        return workload.solver == Solver::surefoot || peer(workload.solver) != nullptr;
+    }
+
+    double build_seconds = 0;  ///< what one waits for Mesh::build [s]
+    double embree_build_seconds = 0;
+    double bullet_build_seconds = 0;
+    Scene scene;
+    Mesh mesh;
+    std::unique_ptr<Peer> embree;
+    std::unique_ptr<Peer> bullet;
+};
+
+/// Asks one question after the other. This is the loop that is timed.
+[[nodiscard]] Tally ask(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
+
+/// How many triangles our own solver tests for these questions, or a negative number where it does not say.
+[[nodiscard]] double triangles_tested(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
+
+}  // namespace surefoot::bench
