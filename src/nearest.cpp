@@ -53,11 +53,19 @@ Vec nearest_on_triangle(const Vec& point, const Vec (&corners)[3]) noexcept {
     const Vec normal =
         unit(accurate_cross(scaled_to_one(corners[1] - corners[0]), scaled_to_one(corners[2] - corners[0])));
     if (normal != Vec{}) {
+        // Past either end of its longest edge no point is above the face. Those of a triangle that has no area but for
+        // rounding cannot be told from the normal.
+        int longest = 0;
         bool inside = true;
         for (int i = 0; i < 3; ++i) {
             const Vec& a = corners[i];
-            inside = inside && dot(cross(corners[(i + 1) % 3] - a, point - a), normal) >= 0;
+            const Vec edge = corners[(i + 1) % 3] - a;
+            if (squared(edge) > squared(corners[(longest + 1) % 3] - corners[longest])) longest = i;
+            inside = inside && dot(cross(edge, point - a), normal) >= 0;
         }
+        const Vec& start = corners[longest];
+        const Vec& end = corners[(longest + 1) % 3];
+        inside = inside && dot(point - start, end - start) >= 0 && dot(point - end, end - start) <= 0;
         if (inside) return point - normal * dot(point - corners[0], normal);
     }
     Vec best = nearest_on_segment(point, corners[0], corners[1]);

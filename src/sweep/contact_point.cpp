@@ -18,28 +18,36 @@ Vec point_on_part(const Shape& shape, const Vec (&corners)[3], unsigned part, do
 
 }  // namespace
 
-Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t) noexcept {
+Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t,
+                   double allowed) noexcept {
     const double margin = planes.hair();
     // Moved out along the normal, so that it just touches; for a hit on the way that is a hair or less.
     const double gap = plane.gap + t * plane.approach;
-    const bool overlaps = gap < -margin;
     const Vec here = query.along * t;
     // An ellipsoid's way out is not along the normal; its nearest point is the same without it.
     const bool is_ellipsoid = std::holds_alternative<Ellipsoid>(query.shape);
+    // Less deep than the gap that is allowed, the point of touch is as good as any, and it lies on the feature.
+    const bool overlaps = gap < -margin && (is_ellipsoid || gap < -0.999 * allowed);
     const Vec touching = is_ellipsoid ? here : here - plane.normal * gap;
     const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
     Contact contact;
     contact.corners = planes.touched_corners(plane.normal);
     Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
+    const auto look_on = [&](unsigned part, double slack) {
+        const Vec other = point_on_part(query.shape, at_touch, part, slack);
+        if (outside_by(query.shape, other) >= outside_by(query.shape, point)) return;
+        point = other;
+        contact.is_on_part = !overlaps && part != 7;
+        if (contact.is_on_part) contact.corners = part;
+    };
     if (outside_by(query.shape, point) > margin) {
         // The corners of a sliver are so nearly in a row that the plane cannot tell on which of them the shape is.
-        for (const unsigned part : {3U, 6U, 5U, 7U}) {
-            const Vec other = point_on_part(query.shape, at_touch, part, margin);
-            if (outside_by(query.shape, other) >= outside_by(query.shape, point)) continue;
-            point = other;
-            contact.is_on_part = !overlaps && part != 7;
-            if (contact.is_on_part) contact.corners = part;
-        }
+        for (const unsigned part : {3U, 6U, 5U, 7U}) look_on(part, margin);
+    }
+    if (outside_by(query.shape, point) > margin) {
+        // Where a flat side lies in the plane of the triangle, turning that plane by a rounding lifts it by more than a
+        // hair.
+        for (const unsigned part : {3U, 6U, 5U, 7U}) look_on(part, allowed / 4);
     }
     contact.point = point + touching;
     if (overlaps && outside_by(query.shape, contact.point - here) > margin) {

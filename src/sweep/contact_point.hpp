@@ -11,8 +11,9 @@ struct Contact {
     bool is_on_part = true;  ///< is the point on that part?
 };
 
-/// Where the shape touches the triangle at `t`: a point of the part that the plane touches or, for a shape so deep in
-/// the triangle that this part is outside the shape, the deepest point of the triangle.
-[[nodiscard]] Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t) noexcept;
+/// Where the shape touches the triangle at `t`: a point of the part that the plane touches or, for a shape deeper in
+/// the triangle than `allowed` where this part is outside the shape, the deepest point of the triangle.
+[[nodiscard]] Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& plane, double t,
+                                 double allowed) noexcept;
 
 }  // namespace surefoot::internal

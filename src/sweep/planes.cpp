@@ -6,19 +6,22 @@
 
 namespace surefoot::internal {
 
+Plane judged(const SweepQuery& query, const Vec& normal) noexcept {
+    const double slack_share = has_fault(Fault::one_ulp_late) ? 0 : (has_fault(Fault::hair_too_thick) ? 0x1p20 : 1);
+    double top = dot(normal, query.corners[0]) + slack_share * query.corner_slack[0];
+    for (int i = 1; i < 3; ++i) {
+        top = larger(top, dot(normal, query.corners[i]) + slack_share * query.corner_slack[i]);
+    }
+    return {.normal = normal,
+            .gap = -top - reach_against(query.shape, normal) - slack_share * query.shape_slack,
+            .approach = dot(normal, query.along)};
+}
+
 void Planes::consider(const Vec& direction) noexcept {
     if (free_) return;
-    Plane plane;
-    plane.normal = unit(direction);
-    if (plane.normal == Vec{}) return;
-
-    const double slack_share = has_fault(Fault::one_ulp_late) ? 0 : (has_fault(Fault::hair_too_thick) ? 0x1p20 : 1);
-    double top = dot(plane.normal, query_.corners[0]) + slack_share * query_.corner_slack[0];
-    for (int i = 1; i < 3; ++i) {
-        top = larger(top, dot(plane.normal, query_.corners[i]) + slack_share * query_.corner_slack[i]);
-    }
-    plane.gap = -top - reach_against(query_.shape, plane.normal) - slack_share * query_.shape_slack;
-    plane.approach = dot(plane.normal, query_.along);
+    const Vec normal = unit(direction);
+    if (normal == Vec{}) return;
+    const Plane plane = judged(query_, normal);
     if (count_ < most_planes) planes_[count_++] = plane;
 
     const bool apart_at_from = plane.gap > 0;
@@ -94,7 +97,18 @@ double Planes::hair() const noexcept {
     return total;
 }
 
-Plane Planes::shallowest() const noexcept {
+bool Planes::may_slip_by() const noexcept {
+    // What is asked of doubles here is only whether to ask exactly, so the margin is generous.
+    const double near = 8 * hair();
+    bool slips = false;
+    for (const Plane& plane : all()) {
+        if (plane.gap > near) return false;
+        slips = slips || (plane.gap > -near && is_grazed(query_, plane));
+    }
+    return slips;
+}
+
+Plane Planes::shallowest(const Vec& heading) const noexcept {
     // An ellipsoid's depth counts in squashed space, where a plane of the world with normal n is |radii n| times as
     // far.
     const bool squashed = std::holds_alternative<Ellipsoid>(query_.shape);
@@ -106,10 +120,12 @@ Plane Planes::shallowest() const noexcept {
         if (best == nullptr || depth_of(plane) < depth_of(*best)) best = &plane;
     }
     if (best == nullptr) return {};
-    // Of several as near, one that the motion closes on; of those, the one that touches the most of the triangle.
+    // Of several as near, one that the motion closes on, or else one that it slides along: the plane that closes may do
+    // so by less than rounding. Of those, the one that touches the most of the triangle.
     const double least = depth_of(*best) + hair() * (squashed ? 1 / reach_against(query_.shape, best->normal) : 1);
     const auto rank = [&](const Plane& plane) {
-        return (plane.approach < 0 ? 4 : 0) + std::popcount(touched_corners(plane.normal));
+        const double approach = dot(plane.normal, heading);
+        return (approach < 0 ? 8 : (approach < 0x1p-40 ? 4 : 0)) + std::popcount(touched_corners(plane.normal));
     };
     int highest = rank(*best);
     for (const Plane& plane : all()) {

@@ -29,6 +29,14 @@ struct Plane {
     double approach = 0;  ///< what the motion adds to the gap [m]: negative when it closes
 };
 
+/// The plane with this unit normal, pushed against the triangle.
+[[nodiscard]] Plane judged(const SweepQuery& query, const Vec& normal) noexcept;
+
+/// Does a motion with this plane only graze it?
+[[nodiscard]] inline bool is_grazed(const SweepQuery& query, const Plane& plane) noexcept {
+    return -plane.approach <= 0x1p-16 * norm1(query.along);
+}
+
 class Planes {
 public:
     Planes(const SweepQuery& query, Trace* trace) noexcept : query_(query), trace_(trace) {}
@@ -65,15 +73,19 @@ public:
     [[nodiscard]] double time_of_last() const noexcept;
 
     /// Does the motion only graze the last plane?
-    [[nodiscard]] bool grazes_last() const noexcept { return -last_.approach <= 0x1p-16 * norm1(query_.along); }
+    [[nodiscard]] bool grazes_last() const noexcept { return is_grazed(query_, last_); }
 
     /// Among planes that are as good as the last, the one that touches the most of the triangle: where a face and an
     /// edge are met together, the face's normal is the steadier answer.
     [[nodiscard]] Plane steadiest_at(double t) const noexcept;
 
-    /// The plane with the least depth at `from`; of several as near, one that the motion closes on and that touches the
-    /// most of the triangle.
-    [[nodiscard]] Plane shallowest() const noexcept;
+    /// May shape and triangle be within the hair of each other at `from`, while the motion slides along one of the
+    /// planes that are as near, or leaves it?
+    [[nodiscard]] bool may_slip_by() const noexcept;
+
+    /// The plane with the least depth at `from`; of several as near, one that a motion with this heading (in the
+    /// shape's frame, between 1 and 4 long) closes on and that touches the most of the triangle.
+    [[nodiscard]] Plane shallowest(const Vec& heading) const noexcept;
 
     /// Tells the trace that shape and triangle are in touch at `from`, and where.
     void record_contact(const Plane& nearest) const noexcept { record(nearest, Verdict::contact, 0); }

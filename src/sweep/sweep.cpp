@@ -5,12 +5,16 @@
 #include "limits.hpp"
 #include "sweep/candidates.hpp"
 #include "sweep/contact_point.hpp"
+#include "sweep/face_first.hpp"
 #include "sweep/planes.hpp"
 #include "sweep/start.hpp"
 
 namespace surefoot::internal {
 
 namespace {
+
+// How far apart shape and triangle may be where they are said to touch, as a share of the largest number in the query.
+constexpr double allowed_gap = 1e-10;
 
 void propose(const SweepQuery& query, Planes& planes) noexcept {
     std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
@@ -26,21 +30,34 @@ void propose_standing(const SweepQuery& query, Planes& planes) noexcept {
     propose(standing, planes);
 }
 
+Vec normal_in_world(const SweepQuery& query, const Plane& plane) noexcept {
+    const Vec normal = has_fault(Fault::mirrored_normal) ? -plane.normal : plane.normal;
+    if (has_fault(Fault::world_normal_not_unsquashed)) {
+        if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
+            return query.frame.to_world(unit(multiply_each(normal, to_vec(ellipsoid->radii))));
+        }
+    }
+    const Vec zero;
+    return query.frame.to_world(normal) + zero;  // no -0 to puzzle a reader
+}
+
+double reported_time(const SweepQuery& query, double t) noexcept {
+    if (has_fault(Fault::one_ulp_late)) return t + t * 0x1p-52;
+    if (has_fault(Fault::padding_along_velocity)) return larger(0, t - 0.001 / length(query.along));
+    return t;
+}
+
 Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Planes& planes,
              const Plane& plane, double t) noexcept {
-    const Contact contact = contact_of(query, planes, plane, t);
+    const double numbers =
+        larger(larger(largest(to_vec(motion.from)), largest(to_vec(motion.to))),
+               larger(largest(to_vec(triangle.a)), larger(largest(to_vec(triangle.b)), largest(to_vec(triangle.c)))));
+    const Contact contact = contact_of(query, planes, plane, t, allowed_gap * numbers);
     Hit hit;
     hit.t = t;
     hit.triangle = query.triangle_id;
     hit.feature = feature_of(query, contact.corners);
-    const Vec normal = has_fault(Fault::mirrored_normal) ? -plane.normal : plane.normal;
-    const Vec zero;
-    hit.normal = to_dvec3(query.frame.to_world(normal) + zero);  // no -0 to puzzle a reader
-    if (has_fault(Fault::world_normal_not_unsquashed)) {
-        if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
-            hit.normal = to_dvec3(query.frame.to_world(unit(multiply_each(normal, to_vec(ellipsoid->radii)))));
-        }
-    }
+    hit.normal = to_dvec3(normal_in_world(query, plane));
     hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(contact.point));
     const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
     for (unsigned i = 0; i < 3; ++i) {
@@ -49,6 +66,15 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
             hit.point = *world[query.original[i]];
         }
     }
+    return hit;
+}
+
+Hit describe_face(const SweepQuery& query, const Motion& motion, const FaceFirst& face) noexcept {
+    Hit hit;
+    hit.t = reported_time(query, face.t);
+    hit.triangle = query.triangle_id;
+    hit.normal = to_dvec3(normal_in_world(query, face.plane));
+    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(face.point));
     return hit;
 }
 
@@ -65,19 +91,27 @@ void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& h
     trace->push(record);
 }
 
+// The motion's direction in the shape's frame, between 1 and 4 long. A motion near the end of the doubles' range would
+// lose its direction when it is turned.
+Vec heading_of(const SweepQuery& query, const Motion& motion) noexcept {
+    Vec along = to_vec(motion.to) - to_vec(motion.from);
+    if (largest(along) < 0x1p-900) along = along * 0x1p1000;
+    return query.frame.to_local(scaled_to_one(along));
+}
+
 std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
                                   const Triangle& triangle, const Planes& planes) noexcept {
     if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
     Approach approach = approach_at_start(volume, motion, triangle);
+    const Plane nearest = planes.shallowest(heading_of(query, motion));
     if (has_fault(Fault::approach_in_doubles)) {
-        approach = planes.shallowest().approach < 0 ? Approach::deeper : Approach::no_closer;
+        approach = nearest.approach < 0 ? Approach::deeper : Approach::no_closer;
     }
     if (approach == Approach::overflow) {
         Hit hit = blocked(HitStatus::overflow);
         hit.triangle = query.triangle_id;
         return hit;
     }
-    const Plane nearest = planes.shallowest();
     planes.record_contact(nearest);
     if (approach == Approach::no_closer && !has_fault(Fault::start_in_touch_always_blocks)) return std::nullopt;
     Hit hit = describe(query, triangle, motion, planes, nearest, 0);
@@ -96,8 +130,15 @@ bool faces(const Motion& motion, const Triangle& triangle) noexcept {
 
 std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
                           Trace* trace) noexcept {
+    const FaceFirst face = ask_face_first(query);
+    if (face.verdict != FaceFirst::Verdict::undecided && trace == nullptr) {
+        if (face.verdict == FaceFirst::Verdict::free) return std::nullopt;
+        return describe_face(query, motion, face);
+    }
     Planes planes(query, trace);
     propose(query, planes);
+    if (face.verdict == FaceFirst::Verdict::free) return std::nullopt;
+    if (face.verdict == FaceFirst::Verdict::hit) return describe_face(query, motion, face);
     if (!planes.motion_is_free() && !planes.starts_apart()) {
         // In touch at the start, by these planes. Ask those of the standing shape too.
         propose_standing(query, planes);
@@ -105,12 +146,11 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     if (planes.motion_is_free()) return std::nullopt;
     if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);
 
-    if (planes.grazes_last() && approach_at_start(volume, motion, triangle) == Approach::no_closer) {
+    if ((planes.grazes_last() || planes.may_slip_by()) &&
+        approach_at_start(volume, motion, triangle) == Approach::no_closer) {
         return std::nullopt;  // g is convex: what does not come closer at the start never does
     }
-    double t = smaller(1, planes.time_of_last());
-    if (has_fault(Fault::one_ulp_late)) t += t * 0x1p-52;
-    if (has_fault(Fault::padding_along_velocity)) t = larger(0, t - 0.001 / length(query.along));
+    const double t = reported_time(query, smaller(1, planes.time_of_last()));
     return describe(query, triangle, motion, planes, planes.steadiest_at(t), t);
 }
 
