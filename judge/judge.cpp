@@ -30,44 +30,51 @@ int sign_of_side(const Query& q) {
 }
 
 /// The point of the triangle nearest to p, as weights of b and c, and which parts of the triangle p lies within
-/// `reach` of. In doubles, relative to a corner: good to far better than the bound.
+/// `reach` of. In floats, relative to a corner.
 struct Placement {
     double b = 0, c = 0, distance = 0;
     bool on_edge = false, on_vertex = false;
 };
 
-Placement place(const Query& q, const Vec& point, double reach) {
-    const V3<double> corners[3] = {lift<double>(q.a), lift<double>(q.b), lift<double>(q.c)};
-    const V3<double> p = lift<double>(point);
+template <class F>
+Placement place_in(const Query& q, const Vec& point, double reach) {
+    const V3<F> corners[3] = {lift<F>(q.a), lift<F>(q.b), lift<F>(q.c)};
+    const V3<F> p = lift<F>(point);
     Placement best;
     best.distance = INFINITY;
-    const auto offer = [&](double b, double c) {
-        const V3<double> off =
-            (p - corners[0]) - scaled(corners[1] - corners[0], b) - scaled(corners[2] - corners[0], c);
-        const double distance = length(off);
-        if (distance < best.distance) best.distance = distance, best.b = b, best.c = c;
-        return distance;
+    const auto offer = [&](const F& b, const F& c) {
+        const V3<F> off = (p - corners[0]) - scaled(corners[1] - corners[0], b) - scaled(corners[2] - corners[0], c);
+        const double distance = to_double(length(off));
+        if (distance < best.distance) best = {to_double(b), to_double(c), distance, best.on_edge, best.on_vertex};
     };
     constexpr double weights[3][2] = {{0, 0}, {1, 0}, {0, 1}};
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
-        if (length(p - corners[i]) <= reach) best.on_vertex = best.on_edge = true;
-        offer(weights[i][0], weights[i][1]);
-        const V3<double> e = corners[j] - corners[i];
-        const double ee = dot(e, e);
-        if (!(ee > 0)) continue;
-        const double u = std::clamp(dot(p - corners[i], e) / ee, 0.0, 1.0);
-        if (length((p - corners[i]) - scaled(e, u)) <= reach) best.on_edge = true;
-        offer(weights[i][0] + u * (weights[j][0] - weights[i][0]), weights[i][1] + u * (weights[j][1] - weights[i][1]));
+        const F b(weights[i][0]), c(weights[i][1]), b_step(weights[j][0] - weights[i][0]),
+            c_step(weights[j][1] - weights[i][1]);
+        if (to_double(length(p - corners[i])) <= reach) best.on_vertex = best.on_edge = true;
+        offer(b, c);
+        const V3<F> e = corners[j] - corners[i];
+        const F ee = dot(e, e);
+        if (!(ee > F(0))) continue;
+        const F u = std::clamp(F(dot(p - corners[i], e) / ee), F(0), F(1));
+        if (to_double(length((p - corners[i]) - scaled(e, u))) <= reach) best.on_edge = true;
+        offer(b + u * b_step, c + u * c_step);
     }
-    const V3<double> e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], r = p - corners[0];
-    const V3<double> n = cross(e1, e2);
-    const double nn = dot(n, n);
-    if (nn > 0) {
-        const double b = dot(n, cross(r, e2)) / nn, c = dot(n, cross(e1, r)) / nn;
-        if (b >= 0 && c >= 0 && b + c <= 1) offer(b, c);
+    const V3<F> e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], r = p - corners[0];
+    const V3<F> n = cross(e1, e2);
+    const F nn = dot(n, n);
+    if (nn > F(0)) {
+        const F b = dot(n, cross(r, e2)) / nn, c = dot(n, cross(e1, r)) / nn;
+        if (b >= F(0) && c >= F(0) && b + c <= F(1)) offer(b, c);
     }
     return best;
+}
+
+/// Doubles are good to far better than the bound, except across a sliver: its weights take more digits.
+Placement place(const Query& q, const Vec& point, double bound) {
+    const Placement quick = place_in<double>(q, point, 2 * bound);
+    return quick.distance <= bound ? quick : place_in<Quad>(q, point, 2 * bound);
 }
 
 class Hearing {
@@ -89,7 +96,7 @@ public:
         if (is_zero(minus(query_.to, query_.from))) return {Verdict::false_hit, 0, "a shape that stands still hit"};
         if (query_.one_sided && sign_of_side(query_) != -1)
             return {Verdict::false_hit, 0, "a one-sided triangle was hit from behind or along its plane"};
-        const Placement placement = place(query_, a.point, 2 * bound_);
+        const Placement placement = place(query_, a.point, bound_);
         Judgement judgement = a.t == 0 ? start(placement) : later(placement);
         if (judgement.verdict != Verdict::right) return judgement;
         if (const Judgement contact = judge_contact(placement); contact.verdict != Verdict::right)
