@@ -7,8 +7,10 @@
 namespace surefoot::internal {
 namespace {
 
-std::string quoted(const Section& section) {
-    return "'" + std::string(section.owner) + "/" + std::string(section.name) + "'";
+std::string full_name(const Section& section) {
+    std::string text(section.owner);
+    text += '/';
+    return text.append(section.name);
 }
 
 /// The text in a field that is padded with zeros; empty if it is not printable ASCII without spaces, or not padded so.
@@ -119,8 +121,8 @@ Expected<void> Container::check_sums() const {
         FileSection entry;
         std::memcpy(&entry, bytes_.data() + sizeof(FileHeader) + i * sizeof(FileSection), sizeof(entry));
         if (hash_bytes(section.bytes) != entry.checksum) {
-            return tl::unexpected(file_error(ErrorCode::unreadable, file_, offset,
-                                             "has a section, " + quoted(section) + ", that is damaged"));
+            return tl::unexpected(
+                file_error(ErrorCode::unreadable, file_, offset, "has a damaged section, " + full_name(section)));
         }
         if (!is_zero(end, offset)) {
             return tl::unexpected(file_error(ErrorCode::unreadable, file_, end, "has something between its sections"));
