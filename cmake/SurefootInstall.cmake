@@ -17,9 +17,16 @@ install_component(core surefoot)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp")
 
+set(SUREFOOT_IMPORT_STATIC FALSE)
 if(TARGET surefoot_import)
   set_target_properties(surefoot_import PROPERTIES INSTALL_RPATH "$ORIGIN")
   install_component(import surefoot_import)
+  # A static library leaves it to whoever links it to link minizip too.
+  get_target_property(type surefoot_import TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    set(SUREFOOT_IMPORT_STATIC TRUE)
+    install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindMinizip.cmake" DESTINATION ${package_dir})
+  endif()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/import/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.hpp")
 endif()

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 
 set(top ${PROJECT_IS_TOP_LEVEL})
-option(SUREFOOT_BUILD_IMPORT "Build surefoot::import (needs Assimp)" ${top})
+option(SUREFOOT_BUILD_IMPORT "Build surefoot::import (needs Assimp and minizip)" ${top})
 option(SUREFOOT_BUILD_TOOLS "Build the surefoot program and the judge (needs surefoot::import, CLI11, nlohmann-json, fmt, GMP)" ${top})
 option(SUREFOOT_BUILD_TESTS "Build the unit tests (needs GoogleTest)" ${top})
 option(SUREFOOT_BUILD_GOLDEN "Build the golden hash tests (they need nothing but the core)" ${top})

@@ -61,7 +61,10 @@ std::string json_of(const Level& level, const Findings& findings) {
         append_array(out, marker.position);
         out += '}';
     }
-    out += R"(],"import_seconds":)";
+    const ImportNotes& notes = level.notes;
+    out += fmt::format(R"(],"patches":{},"brushes":{},"brushes_empty":{},"nonsolid_skipped":{})", notes.patches,
+                       notes.brushes, notes.brushes_empty, notes.nonsolid_skipped);
+    out += R"(,"import_seconds":)";
     append_number(out, level.import_seconds);
     out += R"(,"build_seconds":)";
     append_number(out, level.build_seconds);
@@ -86,6 +89,13 @@ std::string text_of(const Level& level, const Findings& findings) {
         out += fmt::format("  polygons    {} cut into triangles\n", grouped(notes.polygons_split));
     if (const std::uint64_t skipped = notes.points_skipped + notes.lines_skipped + notes.curves_skipped; skipped > 0)
         out += fmt::format("  left out    {} points, lines and curves: they are no triangles\n", grouped(skipped));
+    if (notes.patches > 0) out += fmt::format("  curves      {} cut into triangles\n", grouped(notes.patches));
+    if (notes.brushes + notes.brushes_empty > 0)
+        out += fmt::format("  brushes     {} made into triangles, {} without space left out\n", grouped(notes.brushes),
+                           grouped(notes.brushes_empty));
+    if (notes.nonsolid_skipped > 0)
+        out +=
+            fmt::format("  nonsolid    {} surfaces left out: they stop no player\n", grouped(notes.nonsolid_skipped));
     Table surfaces({"surface", "triangles"});
     for (const auto& [surface, count] : findings.surfaces) surfaces.add({surface_text(level, surface), grouped(count)});
     if (!findings.surfaces.empty()) out += "\n" + surfaces.text();

@@ -34,23 +34,39 @@ std::string near_file(const std::filesystem::path& file) {
 }  // namespace
 
 void LevelOptions::add_to(CLI::App& command, const char* positional, bool required) {
-    command.add_option(positional, file, "The level: .obj .gltf .glb .ply .stl .ac .blend")
+    command
+        .add_option(positional, file,
+                    "The level: .obj .gltf .glb .ply .stl .ac .blend .bsp .pk3 (FILE.pk3:MAP for one of several)")
         ->type_name("")
         ->required(required);
-    command.add_option("--scale", scale, "Metres for one unit of the file (default: 1)")->type_name("METRES");
+    command.add_option("--scale", scale, "Metres for one unit of the file (default: 1; 1/32 for .bsp and .pk3)")
+        ->type_name("METRES");
     command.add_option("--up", up, "Which axis of the file points up: x, y or z (default: what its format says)")
         ->check(CLI::IsMember({"x", "y", "z"}));
+    command
+        .add_option("--tolerance", tolerance, "How far triangles may lie from a curve [m] (default: 0.01; .bsp, .pk3)")
+        ->type_name("METRES");
+    command
+        .add_option(
+            "--solids", solids,
+            "What stops a player in .bsp and .pk3: what is drawn, and clip brushes (drawn, the default); or all "
+            "brushes, as in the game (brushes)")
+        ->check(CLI::IsMember({"drawn", "brushes"}));
 }
 
 Level load_level(const LevelOptions& options) {
     ImportOptions import;
     import.scale = options.scale;
     if (!options.up.empty()) import.up = options.up == "x" ? UpAxis::x : options.up == "y" ? UpAxis::y : UpAxis::z;
+    import.tolerance = options.tolerance;
+    if (options.solids == "brushes") import.quake3 = Quake3Solids::brushes;
     const Clock::time_point start = Clock::now();
     Expected<ImportedLevel> imported = import_level(options.file, import);
     if (!imported) {
         std::string text = imported.error().text;
-        if (imported.error().code == ErrorCode::not_found)
+        std::error_code ignored;
+        if (imported.error().code == ErrorCode::not_found &&
+            !std::filesystem::exists(level_path(options.file).file, ignored))
             if (const std::string near = near_file(options.file); !near.empty())
                 text += fmt::format("; did you mean '{}'?", near);
         throw Failure{ExitCode::file, text};

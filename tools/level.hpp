@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,13 @@
 
 namespace surefoot::tools {
 
-/// LEVEL, --scale and --up, as every command that reads a level has them.
+/// LEVEL, --scale, --up and the options of maps, as every command that reads a level has them.
 struct LevelOptions {
     std::string file;
-    double scale = 1;
+    std::optional<double> scale;
     std::string up;
+    double tolerance = 0.01;
+    std::string solids;
 
     void add_to(CLI::App& command, const char* positional = "LEVEL", bool required = true);
 };

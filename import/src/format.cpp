@@ -8,15 +8,17 @@
 namespace surefoot::internal {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Format>, 9> endings{{{"obj", Format::obj},
-                                                                      {"gltf", Format::gltf},
-                                                                      {"glb", Format::glb},
-                                                                      {"ply", Format::ply},
-                                                                      {"stl", Format::stl},
-                                                                      {"ac", Format::ac},
-                                                                      {"ac3d", Format::ac},
-                                                                      {"acc", Format::ac},
-                                                                      {"blend", Format::blend}}};
+constexpr std::array<std::pair<std::string_view, Format>, 11> endings{{{"obj", Format::obj},
+                                                                       {"gltf", Format::gltf},
+                                                                       {"glb", Format::glb},
+                                                                       {"ply", Format::ply},
+                                                                       {"stl", Format::stl},
+                                                                       {"ac", Format::ac},
+                                                                       {"ac3d", Format::ac},
+                                                                       {"acc", Format::ac},
+                                                                       {"blend", Format::blend},
+                                                                       {"bsp", Format::bsp},
+                                                                       {"pk3", Format::pk3}}};
 
 std::string ending_of(const std::string& path) {
     const std::size_t slash = path.find_last_of("/\\");
@@ -36,11 +38,12 @@ Expected<Format> format_of(const std::string& path) {
     const auto* const found =
         std::ranges::find(endings, std::string_view(ending), &std::pair<std::string_view, Format>::first);
     if (found != endings.end()) return found->second;
-    return tl::unexpected(Error{.code = ErrorCode::unsupported,
-                                .text = (ending.empty() ? std::string("its name does not tell what kind of file it is")
-                                                        : "files ending in ." + ending + " are not read here") +
-                                        "; export the level as .glb, .gltf, .obj, .ply, .stl, .ac or .blend",
-                                .file = path});
+    return tl::unexpected(
+        Error{.code = ErrorCode::unsupported,
+              .text = (ending.empty() ? std::string("its name does not tell what kind of file it is")
+                                      : "files ending in ." + ending + " are not read here") +
+                      "; export the level as .glb, .gltf, .obj, .ply, .stl, .ac, .blend, .bsp or .pk3",
+              .file = path});
 }
 
 UpAxis usual_up(Format format) noexcept {
@@ -48,6 +51,8 @@ UpAxis usual_up(Format format) noexcept {
         case Format::stl:
         case Format::ply:
         case Format::blend:
+        case Format::bsp:
+        case Format::pk3:
             return UpAxis::z;
         case Format::obj:
         case Format::gltf:
@@ -56,6 +61,10 @@ UpAxis usual_up(Format format) noexcept {
             break;
     }
     return UpAxis::y;
+}
+
+double usual_scale(Format format) noexcept {
+    return format == Format::bsp || format == Format::pk3 ? 1.0 / 32 : 1.0;
 }
 
 BlendAge blend_age(std::string_view head) noexcept {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <span>
 
 #include <surefoot/import.hpp>
 
@@ -10,6 +11,8 @@
 #include "limited_read.hpp"
 #include "obj_reader.hpp"
 #include "programs.hpp"
+#include "quake3/pk3.hpp"
+#include "quake3/reader.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -24,8 +27,11 @@ Error invalid(std::string text) {
 }
 
 std::optional<Error> check_options(const ImportOptions& options) {
-    if (!(options.scale >= 1e-9 && options.scale <= 1e9))
+    if (options.scale && !(*options.scale >= 1e-9 && *options.scale <= 1e9))
         return invalid("ImportOptions::scale must be from 1e-9 to 1e9");
+    if (!(options.tolerance >= 1e-6 && options.tolerance <= 1e6))
+        return invalid("ImportOptions::tolerance must be from 1e-6 to 1e6 metres");
+    if (options.quake3 > Quake3Solids::brushes) return invalid("ImportOptions::quake3 must be one of Quake3Solids");
     if (!(options.time_limit > 0 && options.time_limit <= 86400)) {
         return invalid("ImportOptions::time_limit must be above 0 and at most 86400 seconds");
     }
@@ -73,6 +79,29 @@ Expected<ImportedLevel> import_obj(const internal::LimitedRead& request, std::ui
                               {.deadline = request.deadline, .bytes = request.options.memory_limit - size});
 }
 
+Expected<ImportedLevel> import_bsp(const internal::LimitedRead& request, std::string_view bytes) {
+    // The reader's own tables take up to four times the file.
+    const std::uint64_t held = 4 * std::uint64_t{bytes.size()};
+    if (held > request.options.memory_limit) return tl::unexpected(internal::memory_error());
+    return internal::quake3::read_bsp(std::as_bytes(std::span(bytes)), request.placement,
+                                      {.deadline = request.deadline, .bytes = request.options.memory_limit - held},
+                                      {.tolerance = request.options.tolerance, .solids = request.options.quake3});
+}
+
+Expected<ImportedLevel> import_pk3(const internal::LimitedRead& request) {
+    std::ifstream file(request.path, std::ios::binary);
+    const auto map = internal::quake3::read_pk3(
+        file, request.inside, {.deadline = request.deadline, .bytes = request.options.memory_limit / 4});
+    if (!map) return tl::unexpected(map.error());
+    auto level = import_bsp(request, map->bytes);
+    if (!level) {
+        Error error = level.error();
+        error.text = map->name + ": " + error.text;
+        return tl::unexpected(std::move(error));
+    }
+    return level;
+}
+
 /// Assimp reads most of them and fails, or crashes, on some. Blender reads them all.
 Expected<ImportedLevel> import_old_blend(const internal::LimitedRead& request) {
     Expected<ImportedLevel> level = internal::read_in_child(request);
@@ -101,23 +130,31 @@ Expected<ImportedLevel> import_blend(const internal::LimitedRead& request) {
 
 Expected<ImportedLevel> import_unnamed(const std::string& path, const ImportOptions& options) {
     if (auto error = check_options(options)) return tl::unexpected(std::move(*error));
-    const auto size = size_of(path);
+    const LevelPath place = level_path(path);
+    const auto size = size_of(place.file);
     if (!size) return tl::unexpected(size.error());
-    const auto format = internal::format_of(path);
+    const auto format = internal::format_of(place.file);
     if (!format) return tl::unexpected(format.error());
-    if (*size > options.memory_limit) return tl::unexpected(internal::memory_error());
+    // Of a .pk3 only one map is read, so that its own size says nothing.
+    if (*format != Format::pk3 && *size > options.memory_limit) return tl::unexpected(internal::memory_error());
 
     const auto time = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
         std::chrono::duration<double>(options.time_limit));
     const internal::LimitedRead request{
-        .path = path,
+        .path = place.file,
+        .inside = place.inside,
         .format = *format,
-        .placement = {.scale = options.scale,
+        .placement = {.scale = options.scale.value_or(internal::usual_scale(*format)),
                       .up = options.up == UpAxis::by_format ? internal::usual_up(*format) : options.up},
         .deadline = std::chrono::steady_clock::now() + time,
         .options = options};
     if (*format == Format::obj) return import_obj(request, *size);
     if (*format == Format::blend) return import_blend(request);
+    if (*format == Format::pk3) return import_pk3(request);
+    if (*format == Format::bsp) {
+        const auto bytes = read_text(request.path, *size);
+        return bytes ? import_bsp(request, *bytes) : tl::unexpected(bytes.error());
+    }
     return internal::read_in_child(request);
 }
 
@@ -129,6 +166,16 @@ Error named(Error error, const std::string& path) {
 }
 
 }  // namespace
+
+LevelPath level_path(const std::string& path) {
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) return {.file = path, .inside = {}};
+    std::string plain = path;
+    for (char& c : plain) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::size_t colon = plain.find(".pk3:");
+    if (colon == std::string::npos) return {.file = path, .inside = {}};
+    return {.file = path.substr(0, colon + 4), .inside = path.substr(colon + 5)};
+}
 
 Expected<ImportedLevel> import_level(const std::string& path, const ImportOptions& options) {
     try {

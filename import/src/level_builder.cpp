@@ -27,7 +27,7 @@ Error memory_error() {
 LevelBuilder::LevelBuilder(const ReadLimits& limits) : limits_(limits) {
     level_.surface_names.emplace_back();
     level_.surface_extras.emplace_back();
-    surface_numbers_.emplace("", 0);
+    surface_numbers_.emplace(std::pair<std::string, std::string>(), 0);
 }
 
 void LevelBuilder::begin_part(std::string_view name) {
@@ -49,7 +49,7 @@ void LevelBuilder::set_surface(std::string_view name, std::string_view extras) {
 void LevelBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (!surface_) {
         const auto next = static_cast<std::uint32_t>(level_.surface_names.size());
-        const auto [place, is_new] = surface_numbers_.try_emplace(surface_name_, next);
+        const auto [place, is_new] = surface_numbers_.try_emplace({surface_name_, surface_extras_}, next);
         if (is_new) {
             level_.surface_names.push_back(surface_name_);
             level_.surface_extras.push_back(surface_extras_);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <surefoot/import.hpp>
@@ -30,7 +31,8 @@ public:
     /// The faces that follow are part of `name`. A part that gets no triangle leaves no trace.
     void begin_part(std::string_view name);
 
-    /// The faces that follow are made of `name`. The number is given when the first face uses it.
+    /// The faces that follow are made of `name`. The number is given when the first face uses it; what has one name and
+    /// the same extras is one surface.
     void set_surface(std::string_view name, std::string_view extras = {});
 
     /// One face. Requires: every corner is below vertex_count(). Fails with `limit`.
@@ -50,7 +52,7 @@ private:
 
     ReadLimits limits_;
     ImportedLevel level_;
-    std::map<std::string, std::uint32_t, std::less<>> surface_numbers_;
+    std::map<std::pair<std::string, std::string>, std::uint32_t> surface_numbers_;  ///< by name and extras
     std::string surface_name_;
     std::string surface_extras_;
     std::optional<std::uint32_t> surface_;  ///< none until a face uses the name

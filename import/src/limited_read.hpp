@@ -11,6 +11,7 @@ namespace surefoot::internal {
 
 struct LimitedRead {
     std::string path;
+    std::string inside{};  ///< which level in the file, if it can hold several
     Format format = Format::glb;
     Placement placement;
     Deadline deadline;
