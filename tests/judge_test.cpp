@@ -252,6 +252,28 @@ TEST_P(EveryShape, a_one_sided_triangle_does_not_exist_from_behind) {
     });
 }
 
+TEST(JudgePoints, one_in_the_middle_of_a_sliver_is_accepted_and_one_off_it_is_not) {
+    // A sliver 2e-7 m wide: in doubles, where on it the point lies is lost. Found by `surefoot prove`.
+    Query query;
+    query.kind = Kind::box;
+    query.size = {0.13429256046970395, 0.74074829719578, 2};
+    query.qw = 1, query.qx = 0, query.qy = 3, query.qz = -2;
+    query.from = {0.34369692487890957, 0.16494894149427397, 1.9863847319999939};
+    query.to = {-1.0142920617875273, 4.356822154442833, 1.5793575318842406};
+    query.a = {-0.6548335975777375, 2.9009175613063913, -0.41403909899525004};
+    query.b = {-0.2938052054680706, 1.9132898208842288, 0.571749875197713};
+    query.c = {1.5570808704879626, -3.149990525025858, 5.625602455443947};
+    Answer answer;
+    answer.hit = true;
+    answer.t = 0;
+    answer.normal = {-0.9025248020514293, -0.42088405080774915, -0.09113505065389643};
+    answer.point = {0.23051466261377815, 0.4789611628175098, 2.0034077756480997};
+    answer.feature = Feature::edge;
+    EXPECT_EQ(judge::judge(query, answer).verdict, Verdict::right);
+    answer.point = answer.point + answer.normal * 1e-6;
+    EXPECT_EQ(judge::judge(query, answer).verdict, Verdict::bad_point);
+}
+
 TEST(JudgeFamilies, are_the_same_queries_from_every_compiler) {
     const Sweep never = [](const Query&) { return Answer{}; };
     std::uint64_t digest = 14695981039346656037U;  // FNV-1a, by words
