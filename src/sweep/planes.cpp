@@ -120,12 +120,13 @@ Plane Planes::shallowest(const Vec& heading) const noexcept {
         if (best == nullptr || depth_of(plane) < depth_of(*best)) best = &plane;
     }
     if (best == nullptr) return {};
-    // Of several as near, one that the motion closes on, or else one that it slides along: the plane that closes may do
-    // so by less than rounding. Of those, the one that touches the most of the triangle.
+    // Of several as near, one that the motion clearly closes on, or else one that it slides along: the plane that
+    // closes may do so by less than rounding. Of those, the one that touches the most of the triangle.
     const double least = depth_of(*best) + hair() * (squashed ? 1 / reach_against(query_.shape, best->normal) : 1);
     const auto rank = [&](const Plane& plane) {
         const double approach = dot(plane.normal, heading);
-        return (approach < 0 ? 8 : (approach < 0x1p-40 ? 4 : 0)) + std::popcount(touched_corners(plane.normal));
+        constexpr double sliding = 0x1p-40;  // far above the rounding in a unit normal and the heading
+        return (approach < -sliding ? 8 : (approach < sliding ? 4 : 0)) + std::popcount(touched_corners(plane.normal));
     };
     int highest = rank(*best);
     for (const Plane& plane : all()) {
