@@ -31,14 +31,15 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     const Vec touching = is_ellipsoid ? here : here - plane.normal * gap;
     const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
     Contact contact;
-    contact.corners = planes.touched_corners(plane.normal);
+    const unsigned touched = planes.touched_corners(plane.normal);
+    contact.corners = touched;
     Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
     const auto look_on = [&](unsigned part, double slack) {
         const Vec other = point_on_part(query.shape, at_touch, part, slack);
         if (outside_by(query.shape, other) >= outside_by(query.shape, point)) return;
         point = other;
         contact.is_on_part = !overlaps && part != 7;
-        if (contact.is_on_part) contact.corners = part;
+        contact.corners = contact.is_on_part ? part : touched;
     };
     if (outside_by(query.shape, point) > margin) {
         // The corners of a sliver are so nearly in a row that the plane cannot tell on which of them the shape is.
