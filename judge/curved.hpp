@@ -1,6 +1,6 @@
 /// The normals along which a cylinder or cone can be nearest to a polytope, all in closed form but one: a rim against
-/// an edge needs a root of a quartic, which is bracketed and polished. K' is the mirrored shape: the cylinder itself,
-/// or a cone with its apex up and its disc at y = -height.
+/// an edge needs the roots of a quartic, which are bracketed and polished. K' is the mirrored shape: the cylinder
+/// itself, or a cone with its apex up and its disc at y = -height.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,8 @@ struct CurvedNormal {
 
 template <class F>
 class CurvedNormals {
+    static constexpr bool is_wide = std::is_same_v<F, Big>;
+
 public:
     struct Edge {
         V3<F> from, along;
@@ -130,6 +132,7 @@ private:
         if (!(level > zero)) return;  // a vertical edge meets the mantle before the rim
         u = scaled(u, F(1) / level);
         const V3<F> v = cross(along, u);
+        propose_both(v);  // where three roots meet, on the axes of the ellipse that the rim is, seen along the edge
         for (int rim = 0; rim < rims(); ++rim) propose_rim_edge(edge.from, u, v, rim_height(rim));
     }
 
@@ -164,70 +167,86 @@ private:
         }
     };
 
-    /// Roots lie close together where the edge is nearly in the rim's plane, so the directions that are tried are
-    /// denser (in powers of two) towards u and v. Both signs are tried, as the root in the slope is blind to n -> -n.
+    /// Seen along the edge the rim is an ellipse with the half axes a along u and c along v. At a point of the ellipse
+    /// whose normal runs through w, that normal is (w_u / (b + m), w_v / m), b = a^2 - c^2, with
+    ///     f(m) = (a w_u / (b + m))^2 + (c w_v / m)^2 = 1.
+    /// f falls towards both ends and is convex between its poles -b and 0, so that its roots, four at most, can be
+    /// bracketed: one beyond each pole, and one on either side of the least value between them.
     void propose_rim_edge(const V3<F>& from, const V3<F>& u, const V3<F>& v, const F& height) {
         const V3<F> w{from.x, from.y - height, from.z};
-        for (int which = 0; which < 4; ++which) {
-            const F sign(which < 2 ? 1 : -1);
-            const RimSlope slope{w, scaled(which % 2 ? v : u, sign), which % 2 ? u : v, size_.x};
-            const typename CurvedNormals<double>::Rough rough{to_doubles(slope.w), to_doubles(slope.p),
-                                                              to_doubles(slope.q), to_double(slope.radius)};
-            double roots[96];
-            const int count = rough.roots(roots);
-            for (int i = 0; i < count; ++i) {
-                if (is_hopeless(rough.p + scaled(rough.q, roots[i]))) continue;
-                F tau(roots[i]);
-                for (int polish = 0; polish < (sizeof(F) > 16 ? 5 : 3); ++polish) {
-                    F derivative(0);
-                    const F value = slope.value(tau, &derivative);
-                    if (!(magnitude(derivative) > F(0))) break;
-                    tau = tau - value / derivative;
-                }
-                propose(slope.p + scaled(slope.q, tau));
+        const double wu = to_double(dot(w, u)), wv = to_double(dot(w, v)), a = to_double(size_.x);
+        const double c = a * std::sqrt(to_double(v.x * v.x + v.z * v.z)), b = a * a * to_double(v.y * v.y);
+        const double au = std::fabs(a * wu), cv = std::fabs(c * wv);
+        // `s` counts m from the pole at -b (or its mirror image), `m` from the one at 0.
+        const auto value = [&](double s, double m) { return (au / s) * (au / s) + (cv / m) * (cv / m) - 1; };
+        const auto offer = [&](double s, double m) {
+            if (s != 0 && m != 0) propose_rim_normal(w, u, v, wu / s, wv / m);
+        };
+        const auto root = [&](double low, double high, const auto& above) {
+            for (int i = 0; i < 64; ++i) {
+                const double mid = 0.5 * (low + high);
+                (above(mid) ? low : high) = mid;
             }
+            return 0.5 * (low + high);
+        };
+        const double outer = root(std::max(cv, au - b), cv + au, [&](double m) { return value(b + m, m) > 0; });
+        offer(b + outer, outer);
+        const double inner = root(std::max(au, cv - b), cv + au, [&](double s) { return value(s, b + s) > 0; });
+        offer(-inner, -b - inner);
+        const double up = std::cbrt(au * au), across = std::cbrt(cv * cv);
+        if (up + across == 0) return;
+        const double least_s = b * up / (up + across), least_m = b * across / (up + across);
+        offer(least_s, -least_m);
+        if (cv < least_m) {
+            const double m = root(cv, least_m, [&](double m_) { return value(b - m_, m_) > 0; });
+            offer(b - m, -m);
         }
+        if (au < least_s) {
+            const double s = root(au, least_s, [&](double s_) { return value(s_, b - s_) > 0; });
+            offer(s, s - b);
+        }
+    }
+
+    /// About (nu, nv) in the plane of u and v, of any length.
+    void propose_rim_normal(const V3<F>& w, const V3<F>& u, const V3<F>& v, double nu, double nv) {
+        if (!std::isfinite(nu) || !std::isfinite(nv) || (nu == 0 && nv == 0)) return;
+        const bool flat = std::fabs(nu) >= std::fabs(nv);
+        const F sign((flat ? nu : nv) < 0 ? -1 : 1);
+        const RimSlope slope{w, scaled(flat ? u : v, sign), scaled(flat ? v : u, sign), size_.x};
+        const double near = flat ? nv / nu : nu / nv;
+        if (is_hopeless(to_doubles(slope.p) + scaled(to_doubles(slope.q), near))) return;
+        propose_root(slope, near);
+    }
+
+    /// Newton's method: a few steps where they only have to propose, as many as it takes in wide floats, where the
+    /// slope of the motion along what comes out has to be told from zero. Where m roots meet, each step is 1 - 1/m of
+    /// the one before; then m steps are taken at once.
+    void propose_root(const RimSlope& slope, double near) {
+        F tau(near);
+        double last = 0, ratio = 0;
+        const F noise = is_wide ? (magnitude(slope.w.x) + magnitude(slope.w.y) + magnitude(slope.w.z) + slope.radius) *
+                                      F(0x1p-610) * F(0x1p-610)
+                                : F(0);
+        for (int polish = 0; polish < (is_wide ? 100 : 3); ++polish) {
+            F derivative(0);
+            const F value = slope.value(tau, &derivative);
+            if (!(magnitude(derivative) > F(0))) break;
+            F step = value / derivative;
+            if constexpr (is_wide) {
+                if (!(magnitude(value) > noise)) break;
+                const double size = to_double(step), now = last != 0 ? size / last : 0;
+                const bool steady = now > 0.45 && now < 0.7 && std::fabs(now - ratio) < 0.02;
+                if (steady) step = step * F(std::round(1 / (1 - now)));
+                last = steady ? 0 : size;
+                ratio = now;
+            }
+            tau = tau - step;
+        }
+        propose(slope.p + scaled(slope.q, tau));
     }
 
     static V3<double> to_doubles(const V3<F>& a) { return {to_double(a.x), to_double(a.y), to_double(a.z)}; }
 
-public:
-    /// Finds the roots of the slope in [-1, 1], in doubles.
-    struct Rough {
-        V3<double> w, p, q;
-        double radius;
-
-        double value(double tau) const {
-            const double nx = p.x + tau * q.x, nz = p.z + tau * q.z;
-            const double k = radius / std::sqrt(nx * nx + nz * nz);
-            const double x = w.x - k * nx, z = w.z - k * nz;
-            return x * q.x + w.y * q.y + z * q.z - tau * (x * p.x + w.y * p.y + z * p.z);
-        }
-        int roots(double* found) const {
-            int count = 0;
-            double last_tau = -1, last = value(-1);
-            const auto step = [&](double tau) {
-                const double here = value(tau);
-                if ((last < 0 && here >= 0) || (last > 0 && here <= 0)) {
-                    double low = last_tau, high = tau;
-                    for (int i = 0; i < 52; ++i) {
-                        const double mid = 0.5 * (low + high), at_mid = value(mid);
-                        ((at_mid < 0) == (last < 0) ? low : high) = mid;
-                    }
-                    if (count < 96) found[count++] = 0.5 * (low + high);
-                }
-                last = here;
-                last_tau = tau;
-            };
-            for (int i = -7; i <= -2; ++i) step(i / 8.0);
-            for (int k = -3; k >= -33; k -= 2) step(-std::ldexp(1, k));
-            for (int k = -33; k <= -3; k += 2) step(std::ldexp(1, k));
-            for (int i = 2; i <= 8; ++i) step(i / 8.0);
-            return count;
-        }
-    };
-
-private:
     Kind kind_;
     V3<F> size_, toward_;
     std::vector<V3<F>> corners_;

@@ -1,5 +1,5 @@
 // Cylinder and cone: every normal that can be active is proposed and measured, and those that attain the largest gap
-// decide. What is within the band of the largest counts as attaining it.
+// decide.
 #include "curved.hpp"
 #include "start.hpp"
 
@@ -42,62 +42,140 @@ V3<F> rounded(const V3<Dyadic>& v) {
     return {RoundedOnce<F>::from(v.x), RoundedOnce<F>::from(v.y), RoundedOnce<F>::from(v.z)};
 }
 
-/// `band`: relative to the size of things, what counts as equal; `sure`: below it the long doubles do not decide.
 template <class F>
-StartSigns decide(const Kind kind, const Exactly& at, double band, bool rigid, double least_gap) {
-    const F scale = F(1) / RoundedOnce<F>::from(at.s);
-    V3<F> w[3];
-    for (int i = 0; i < 3; ++i) w[i] = scaled(rounded<F>(at.w[i]), scale);
-    const V3<F> d = scaled(rounded<F>(at.d), scale), size = rounded<F>(at.size);
+struct Placed {
+    V3<F> w[3], d, size;
+    F largest;
 
-    CurvedNormals<F> normals(kind, size, d);
-    normals.screen(least_gap);
-    for (int i = 0; i < 3; ++i) {
-        normals.add_corner(w[i]);
-        normals.add_edge(w[i], w[(i + 1) % 3]);
+    explicit Placed(const Exactly& at) : size(rounded<F>(at.size)) {
+        const F scale = F(1) / RoundedOnce<F>::from(at.s);
+        for (int i = 0; i < 3; ++i) w[i] = scaled(rounded<F>(at.w[i]), scale);
+        d = scaled(rounded<F>(at.d), scale);
+        largest = size.x > size.y ? size.x : size.y;
+        for (const V3<F>& corner : w) {
+            const F reach = length(corner);
+            if (reach > largest) largest = reach;
+        }
     }
-    normals.add_face(cross(w[1] - w[0], w[2] - w[0]));
-    const auto& found = normals.run();
 
+    /// All the normals that can be active once the shape has moved by t d.
+    [[nodiscard]] std::vector<CurvedNormal<F>> normals(Kind kind, const F& t, double least_gap) const {
+        CurvedNormals<F> list(kind, size, d);
+        list.screen(least_gap);
+        V3<F> here[3];
+        for (int i = 0; i < 3; ++i) here[i] = w[i] + scaled(d, t);
+        for (int i = 0; i < 3; ++i) {
+            list.add_corner(here[i]);
+            list.add_edge(here[i], here[(i + 1) % 3]);
+        }
+        list.add_face(cross(here[1] - here[0], here[2] - here[0]));
+        return list.run();
+    }
+};
+
+/// Where a number lies that would be zero but for rounding: beyond `sure` it has a sign, within `zero` it counts as
+/// zero, and between the two nothing is claimed.
+struct Band {
+    double zero, sure;
+
+    template <class F>
+    [[nodiscard]] int sign(const F& value, const F& unit) const {
+        const F size = magnitude(value);
+        if (size > F(sure) * unit) return value > F(0) ? 1 : -1;
+        return size <= F(zero) * unit ? 0 : unsure;
+    }
+};
+
+/// Long doubles tell two depths apart by their last digits, but a normal at a rim is good to far fewer (to a third of
+/// them where three roots meet), so only plain slopes are theirs to decide.
+constexpr Band quick_depth{-1, 1e-13}, quick_slope{-1, 1e-5};
+/// In 1280 bits a third of the digits is 2^-426, and some are lost on the way there.
+constexpr Band wide_band{0x1p-360, 0x1p-200};
+
+template <class F>
+StartSigns decide(Kind kind, const Placed<F>& at, const Band& depth, const Band& slope, double least_gap) {
+    const auto found = at.normals(kind, F(0), least_gap);
     F best = found.front().gap;
     for (const auto& c : found)
         if (c.gap > best) best = c.gap;
-    F largest = size.x > size.y ? size.x : size.y;
-    for (const V3<F>& corner : w) {
-        const F reach = length(corner);
-        if (reach > largest) largest = reach;
-    }
-    const F width = F(band) * largest, steep = F(band) * length(d);
+    const F speed = length(at.d);
 
+    // Of those that certainly are active, and of those that may be; what may be is no matter if all say the same.
+    int certain = -2, highest = -2, lowest = 2;
+    bool doubtful = false;
+    for (const auto& c : found) {
+        const int behind = depth.sign(F(best - c.gap), at.largest);
+        if (behind == 1) continue;
+        const int here = slope.sign(dot(c.n, at.d), speed);
+        doubtful = doubtful || here == unsure;
+        highest = std::max(highest, here);
+        lowest = std::min(lowest, here);
+        if (behind == 0) certain = std::max(certain, here);
+    }
     StartSigns signs;
     signs.g = to_double(best);
-    signs.depth = best > width ? 1 : (best < -width ? -1 : (rigid ? 0 : unsure));
-    bool any = false;
-    for (const auto& c : found) {
-        if (c.gap < best - width) continue;
-        const F rate = dot(c.n, d);
-        const int here = rate > steep ? 1 : (rate < -steep ? -1 : (rigid ? 0 : unsure));
-        if (here == unsure || (any && !rigid && here != signs.slope)) {
-            signs.slope = unsure;
-            break;
-        }
-        signs.slope = any && signs.slope > here ? signs.slope : here;
-        any = true;
-    }
+    signs.depth = depth.sign(best, at.largest);
+    signs.slope = !doubtful && (certain == highest || lowest == highest) ? highest : unsure;
     return signs;
+}
+
+double largest_in_doubles(const Query& query, const Exactly& at) {
+    double largest_here = std::fmax(query.size.x, query.size.y);
+    for (const V3<Dyadic>& w : at.w)
+        largest_here = std::fmax(largest_here,
+                                 length(V3<double>{to_double(w.x), to_double(w.y), to_double(w.z)}) / to_double(at.s));
+    return largest_here;
 }
 
 }  // namespace
 
 StartSigns curved_start(const Query& query, double t) {
     const Exactly at(query, t);
-    const StartSigns quick = decide<long double>(query.kind, at, 1e-13, false, -HUGE_VAL);
+    const StartSigns quick = decide(query.kind, Placed<long double>(at), quick_depth, quick_slope, -HUGE_VAL);
     if (quick.depth != unsure && quick.slope != unsure) return quick;
-    double largest_here = std::fmax(query.size.x, query.size.y);
-    for (const V3<Dyadic>& w : at.w)
-        largest_here = std::fmax(largest_here,
-                                 length(V3<double>{to_double(w.x), to_double(w.y), to_double(w.z)}) / to_double(at.s));
-    return decide<Big>(query.kind, at, 1e-60, true, quick.g - 1e-9 * largest_here);
+    return decide(query.kind, Placed<Big>(at), wide_band, wide_band, quick.g - 1e-9 * largest_in_doubles(query, at));
+}
+
+Pass curved_pass(const Query& query) {
+    const Placed<Big> at(Exactly(query, 0));
+    const Big speed = length(at.d), flat = Big(wide_band.zero) * speed;
+    struct Side {
+        V3<Big> n;
+        Big rate;
+        bool known = false;
+    } closing, opening;
+    Big low(0), high(1), t(0);
+    Pass pass;
+    for (int round = 0; round < 250; ++round) {
+        const auto found = at.normals(query.kind, t, -HUGE_VAL);
+        const auto* best = &found.front();
+        for (const auto& c : found)
+            if (c.gap > best->gap) best = &c;
+        if (best->gap <= Big(wide_band.zero) * at.largest) {
+            pass.meets = 1;
+            return pass;
+        }
+        // The gap along one normal is linear in time: where it gives way bounds the times that are left.
+        const Big rate = dot(best->n, at.d);
+        const bool comes = rate<-flat, goes = rate> flat;
+        if (comes) {
+            closing = {best->n, rate, true};
+            low = t - best->gap / rate;
+        } else if (goes) {
+            opening = {best->n, rate, true};
+            high = t - best->gap / rate;
+        }
+        if ((comes || goes) && low <= high) {
+            t = round % 2 == 1 ? (low + high) * Big(0.5) : (comes ? low : high);
+            continue;
+        }
+        pass.meets = -1;
+        pass.planes[pass.count++] = exact(best->n);
+        if (closing.known && opening.known)
+            pass.planes[pass.count++] = exact(scaled(closing.n, opening.rate) - scaled(opening.n, closing.rate));
+        return pass;
+    }
+    return pass;
 }
 
 StartSigns start_signs(const Query& query, double t) {

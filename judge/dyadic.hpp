@@ -24,6 +24,8 @@ public:
         m_ = static_cast<long>(whole >> zeros);
         e_ = exponent - 53 + zeros;
     }
+    /// m 2^e.
+    Dyadic(mpz_class m, long e) : m_(std::move(m)), e_(e) {}
     /// Exactly the sum of the parts, which are finite: the way in for wider floats.
     static Dyadic sum(const double* parts, int count) {
         Dyadic total;

@@ -1,4 +1,4 @@
-/// The floats that propose: double, a quadruple, and GMP's floats of 384 bits. Proposals need not be right, so nothing
+/// The floats that propose: double, a quadruple, and GMP's floats of 1280 bits. Proposals need not be right, so nothing
 /// here is rigorous; what they propose is checked in intervals and exact numbers.
 #pragma once
 
@@ -43,10 +43,10 @@ inline Quad root_of(Quad a) {
 }
 #endif
 
-/// A float of 384 bits that behaves like a built-in one.
+/// A float of 1280 bits that behaves like a built-in one.
 class Big {
 public:
-    static constexpr mp_bitcnt_t bits = 384;
+    static constexpr mp_bitcnt_t bits = 1280;
     Big() : v_(0, bits) {}
     Big(double a) : v_(a, bits) {}
     explicit Big(const mpf_class& v) : v_(v, bits) {}
@@ -73,6 +73,20 @@ public:
         Big r;
         if (sgn(a.v_) > 0) mpf_sqrt(r.v_.get_mpf_t(), a.v_.get_mpf_t());
         return r;
+    }
+
+    /// Exactly.
+    friend Dyadic exact(const Big& a) {
+        mpf_class shifted(0, 2 * bits);
+        long power = 0;
+        mpf_get_d_2exp(&power, a.v_.get_mpf_t());
+        // Two limbs more than the precision are kept, so that twice the digits leave no fraction.
+        const long up = static_cast<long>(2 * bits) - power;
+        if (up >= 0)
+            mpf_mul_2exp(shifted.get_mpf_t(), a.v_.get_mpf_t(), static_cast<mp_bitcnt_t>(up));
+        else
+            mpf_div_2exp(shifted.get_mpf_t(), a.v_.get_mpf_t(), static_cast<mp_bitcnt_t>(-up));
+        return Dyadic(mpz_class(shifted), -up);
     }
 
 private:

@@ -124,6 +124,13 @@ private:
         const StartSigns end = start_signs(query_, 1);
         if (end.depth == 1 && (end.slope == 0 || end.slope == -1))
             return {Verdict::right, 0, "apart at the end, and approaching until then"};
+        if (query_.kind == Kind::cylinder || query_.kind == Kind::cone) {
+            const Pass pass = curved_pass(query_);
+            if (pass.meets == 1) return {Verdict::miss, 0, "the shape reaches the triangle by less than a hair"};
+            for (int i = 0; i < pass.count; ++i)
+                if (examination_.separates_exactly(pass.planes[i], 1, true))
+                    return {Verdict::right, 0, "a plane separates by less than a hair"};
+        }
         if (end.depth <= 0 || examination_.overlaps_within(1))
             return {Verdict::miss, 0, "the shape reaches the triangle"};
         return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};

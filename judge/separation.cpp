@@ -46,6 +46,10 @@ bool Examination::separates(const V3<F>& n, double t, bool strict) {
     return is_enough(gap_signs(exactly(), exact(n), Dyadic(t)), strict);
 }
 
+bool Examination::separates_exactly(const V3<Dyadic>& n, double t, bool strict) {
+    return is_enough(gap_signs(exactly(), n, Dyadic(t)), strict);
+}
+
 /// The corners of what the triangle sweeps over [0, t], seen from the reference point; a triangle alone for t = 0.
 template <class F>
 static int sweep_corners(const Local<F>& local, double t, V3<F>* corners) {

@@ -27,6 +27,9 @@ public:
     template <class F>
     [[nodiscard]] bool separates(const V3<F>& n, double t, bool strict);
 
+    /// The same for a normal of exact numbers.
+    [[nodiscard]] bool separates_exactly(const V3<Dyadic>& n, double t, bool strict);
+
     /// Looks for such a plane. `hint`: a normal in the shape's frame to try first, or none. A quick look takes what a
     /// search in doubles proposes; a thorough one goes on to wider floats and to normals in exact numbers.
     [[nodiscard]] bool find_quickly(const V3<double>* hint, double t, bool strict);

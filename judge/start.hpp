@@ -3,7 +3,7 @@
 /// normals, those that attain the maximum (Danskin).
 #pragma once
 
-#include "vec.hpp"
+#include "dyadic.hpp"
 
 namespace judge {
 
@@ -19,8 +19,18 @@ struct StartSigns {
 /// For sphere, ellipsoid, capsule and box: exact.
 [[nodiscard]] StartSigns polytope_start(const Query& query, double t);
 
-/// For cylinder and cone: in long doubles if they are clear, else in floats of 384 bits, where what differs by less
-/// than 1e-60 of the largest number counts as equal.
+/// For cylinder and cone: in long doubles if they are clear, else in floats of 1280 bits. There a depth or slope below
+/// 2^-360 of the largest number or of the motion counts as zero; one between that and 2^-200 is `unsure`.
 [[nodiscard]] StartSigns curved_start(const Query& query, double t);
+
+/// Does a cylinder or cone that starts apart ever meet the triangle?
+struct Pass {
+    int meets = unsure;    ///< 1 or -1
+    V3<Dyadic> planes[2];  ///< if it does not: normals, one of which separates; to be checked
+    int count = 0;
+};
+
+/// In floats of 1280 bits: every normal bounds the times at which the two may meet, until none are left or they do.
+[[nodiscard]] Pass curved_pass(const Query& query);
 
 }  // namespace judge
