@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include <surefoot/overlap.hpp>
@@ -35,16 +36,26 @@ bool is_near(const Motion& motion, const Triangle& triangle) {
     return enter <= leave;
 }
 
+bool meets(const Bounds& bounds, const Triangle& triangle) {
+    const dvec3 low = glm::min(glm::min(triangle.a, triangle.b), triangle.c);
+    const dvec3 high = glm::max(glm::max(triangle.a, triangle.b), triangle.c);
+    return glm::all(glm::lessThanEqual(low, bounds.max)) && glm::all(glm::lessThanEqual(bounds.min, high));
+}
+
 /// What has been found so far for one question.
 struct Reference {
-    std::optional<Hit> first;
-    std::size_t overlaps = 0;
+    std::optional<Hit> first{};
+    std::size_t found = 0;
 };
 
 void ask_triangle(Reference& reference, const Workload& workload, const Volume& volume, const Motion& motion,
                   const Triangle& triangle, std::uint32_t id) {
     if (workload.question == Question::overlap) {
-        if (overlap(volume, motion.to, triangle)) ++reference.overlaps;
+        if (overlap(volume, motion.to, triangle)) ++reference.found;
+        return;
+    }
+    if (workload.question == Question::gather) {
+        if (meets(bounds_of(workload.body, motion), triangle)) ++reference.found;
         return;
     }
     std::optional<Hit> hit =
@@ -55,9 +66,20 @@ void ask_triangle(Reference& reference, const Workload& workload, const Volume& 
     reference.first = hit;
 }
 
+bool same_nearest(const Mesh& mesh, const dvec3& point) {
+    const auto found = mesh.nearest(point, nearest_within);
+    const auto reference = mesh.nearest(point, nearest_within, {.search = Search::brute_force});
+    if (found.has_value() != reference.has_value()) return false;
+    return !found || (found->triangle == reference->triangle && found->distance == reference->distance &&
+                      found->point == reference->point);
+}
+
 bool agrees(const Reference& reference, const Stage& stage, const Workload& workload, const Volume& volume,
             const Motion& motion) {
-    if (workload.question == Question::overlap) return stage.mesh.overlap(volume, motion.to, {}) == reference.overlaps;
+    if (workload.question == Question::overlap) return stage.mesh.overlap(volume, motion.to, {}) == reference.found;
+    if (workload.question == Question::gather)
+        return stage.mesh.gather(bounds_of(workload.body, motion), {}) == reference.found;
+    if (workload.question == Question::nearest) return same_nearest(stage.mesh, motion.to);
     const std::optional<Hit> hit =
         workload.question == Question::ray ? stage.mesh.ray(motion) : stage.mesh.sweep(volume, motion);
     if (hit.has_value() != reference.first.has_value()) return false;

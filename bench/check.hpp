@@ -13,8 +13,9 @@ struct Checked {
     std::size_t wrong = 0;  ///< not the same bits
 };
 
-/// Asks our solver each question, and asks `sweep`, `ray` or `overlap` of every single triangle that lies within reach
-/// of the motion, found by no tree. The same triangle, time and normal, to the bit, or it counts as wrong.
+/// Asks our solver each question, and asks every single triangle within reach of the motion the same, found by no tree
+/// (the nearest point is asked of the mesh's own brute force instead). The same triangle, time, normal and point, to
+/// the bit, and as many where all are asked for, or it counts as wrong.
 [[nodiscard]] Checked check(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
 
 }  // namespace surefoot::bench

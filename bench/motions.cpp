@@ -93,7 +93,9 @@ std::optional<Motion> distant_motion(const Scene& scene, const Mesh& mesh, Rando
     const std::optional<Foothold> hold = random_foothold(scene, random);
     if (!hold) return std::nullopt;
     const dvec3 from = hold->point + hold->normal * random.in(0.5, 2);
-    const dvec3 to = from + random.direction() * random.in(20, 50);
+    dvec3 along = random.direction();
+    if (random.chance(0.5)) along = glm::normalize(dvec3(along.x, 0.2 * along.y, along.z));
+    const dvec3 to = from + along * random.in(20, 50);
     for (const Body body : bodies)
         if (!is_free(mesh, volume_of(body), from)) return std::nullopt;
     return Motion{from, to};

@@ -24,8 +24,9 @@ enum class Path { brief, distant };
 /// overlaps nothing. It moves 0.1 to 0.5 m: six in ten along the surface and a little into it, three in ten downwards
 /// and aside as in a fall, one in ten anywhere.
 ///
-/// Distant: 20 to 50 m in any direction, from a point 0.5 to 2 m off a random point of a random triangle where none of
-/// the six shapes overlaps anything. The same motions for every shape, so `body` does not matter.
+/// Distant: 20 to 50 m, half of them in any direction and half nearly level as shots and looks are, from a point 0.5 to
+/// 2 m off a random point of a random triangle where none of the six shapes overlaps anything. The same motions for
+/// every shape, so `body` does not matter.
 ///
 /// Fewer than `count` where a scene has no room. The same motions on every machine, whatever tree the mesh has.
 [[nodiscard]] std::vector<Motion> make_motions(const Scene& scene, const Mesh& mesh, Body body, Path path,

@@ -14,9 +14,9 @@ namespace surefoot::bench {
 struct SuiteOptions {
     std::size_t motions = 16384;      ///< for each workload
     std::size_t rounds = 101;         ///< each round times a batch of every workload
-    double batch_seconds = 0.4e-3;    ///< how long a batch should take; sets how many questions it has [s]
+    double batch_seconds = 4e-3;      ///< how long a batch should take; sets how many questions it has [s]
     std::size_t checked = 16;         ///< answers of each workload that are compared with brute force
-    std::size_t counted = 256;        ///< questions of each workload whose triangle tests are counted
+    std::size_t counted = 256;        ///< questions of each workload whose work is counted
     std::vector<std::string> only{};  ///< workloads whose names contain one of these; all if empty. E is always in
 };
 
@@ -32,7 +32,8 @@ struct Row {
     double hit_share = 0;     ///< [0, 1]
     double mean_t = 0;        ///< of the hits [0, 1]
     double mean_found = 0;    ///< triangles handed back by a question that asks for all
-    double tested = -1;       ///< triangles tested for a question; negative: unknown
+    double nodes = 0;         ///< nodes of our tree that a question opens
+    double tested = 0;        ///< triangles that a question of ours tests
     Checked checked{};
 };
 

@@ -1,6 +1,7 @@
 #include "workload.hpp"
 
-#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
 #include <stdexcept>
 
 #include "clock.hpp"
@@ -29,7 +30,41 @@ void count(Tally& tally, const std::optional<Hit>& hit) {
     tally.t_sum += hit->t;
 }
 
-constexpr std::size_t room_for_overlaps = 64;
+void count(Tally& tally, std::size_t found) {
+    tally.hits += found > 0 ? 1 : 0;
+    tally.found += found;
+}
+
+// More than any of the scenes ever fills.
+constexpr std::size_t room = 512;
+
+Tally ask_mesh(const Mesh& mesh, const Workload& workload, std::span<const Motion> motions,
+               const QueryOptions& options) {
+    Tally tally{.asked = motions.size()};
+    const Volume volume = volume_of(workload.body);
+    std::array<Overlap, room> overlaps;
+    std::array<SourceTriangle, room> triangles;
+    switch (workload.question) {
+        case Question::sweep:
+            for (const Motion& motion : motions) count(tally, mesh.sweep(volume, motion, options));
+            break;
+        case Question::ray:
+            for (const Motion& motion : motions) count(tally, mesh.ray(motion, options));
+            break;
+        case Question::overlap:
+            for (const Motion& motion : motions) count(tally, mesh.overlap(volume, motion.to, overlaps, options));
+            break;
+        case Question::gather:
+            for (const Motion& motion : motions)
+                count(tally, mesh.gather(bounds_of(workload.body, motion), triangles, options));
+            break;
+        case Question::nearest:
+            for (const Motion& motion : motions)
+                count(tally, std::size_t{mesh.nearest(motion.to, nearest_within, options) ? 1U : 0U});
+            break;
+    }
+    return tally;
+}
 
 }  // namespace
 
@@ -42,6 +77,9 @@ std::vector<Workload> all_workloads() {
             for (const Body body : bodies) all.push_back({Solver::surefoot, Question::sweep, path, body, order});
         all.push_back({Solver::surefoot, Question::overlap, Path::brief, Body::sphere, order});
         all.push_back({Solver::surefoot, Question::overlap, Path::brief, Body::ellipsoid, order});
+        all.push_back({Solver::surefoot, Question::gather, Path::brief, Body::sphere, order});
+        all.push_back({Solver::surefoot, Question::gather, Path::brief, Body::ellipsoid, order});
+        all.push_back({Solver::surefoot, Question::nearest, Path::brief, Body::sphere, order});
     }
     all.push_back({Solver::bullet, Question::ray, Path::distant, Body::sphere, Order::random});
     for (const Path path : {Path::brief, Path::distant})
@@ -57,6 +95,10 @@ std::string name_of(const Workload& workload) {
             return path + "ray";
         case Question::overlap:
             return std::string(name_of(workload.body)) + " overlap";
+        case Question::gather:
+            return std::string(name_of(workload.body)) + " gather";
+        case Question::nearest:
+            return "nearest point";
         case Question::sweep:
             break;
     }
@@ -80,39 +122,20 @@ Stage::Stage(Scene&& made)
 Tally ask(const Stage& stage, const Workload& workload, std::span<const Motion> motions) {
     if (const Peer* const peer = stage.peer(workload.solver))
         return workload.question == Question::ray ? peer->rays(motions) : peer->sweeps(workload.body, motions);
-    Tally tally{.asked = motions.size()};
-    const Volume volume = volume_of(workload.body);
-    switch (workload.question) {
-        case Question::sweep:
-            for (const Motion& motion : motions) count(tally, stage.mesh.sweep(volume, motion));
-            break;
-        case Question::ray:
-            for (const Motion& motion : motions) count(tally, stage.mesh.ray(motion));
-            break;
-        case Question::overlap:
-            for (const Motion& motion : motions) {
-                Overlap found[room_for_overlaps];
-                const std::size_t size = stage.mesh.overlap(volume, motion.to, found);
-                tally.hits += size > 0 ? 1 : 0;
-                tally.found += size;
-            }
-            break;
-    }
-    return tally;
+    return ask_mesh(stage.mesh, workload, motions, {});
 }
 
-double triangles_tested(const Stage& stage, const Workload& workload, std::span<const Motion> motions) {
-    if (workload.solver != Solver::surefoot || workload.question != Question::sweep || motions.empty()) return -1;
-    std::vector<TraceRecord> room(1 << 16);
-    const Volume volume = volume_of(workload.body);
-    std::ptrdiff_t tests = 0;
-    for (const Motion& motion : motions) {
-        Trace trace(room);
-        static_cast<void>(stage.mesh.sweep(volume, motion, {.trace = &trace}));
-        const auto decided = [](const TraceRecord& record) { return record.verdict == Verdict::decided; };
-        tests += std::count_if(trace.records().begin(), trace.records().end(), decided);
-    }
-    return static_cast<double>(tests) / static_cast<double>(motions.size());
+QueryWork count_work(const Stage& stage, const Workload& workload, std::span<const Motion> motions) {
+    QueryWork work;
+    static_cast<void>(ask_mesh(stage.mesh, workload, motions, {.work = &work}));
+    return work;
+}
+
+Bounds bounds_of(Body body, const Motion& motion) {
+    // A cone stands on its reference point; the other bodies have theirs in the middle.
+    const dvec3 half = body == Body::sphere ? dvec3(0.4) : dvec3(0.4, 0.9, 0.4);
+    const dvec3 middle = body == Body::cone ? dvec3(0, 0.9, 0) : dvec3(0, 0, 0);
+    return {glm::min(motion.from, motion.to) + middle - half, glm::max(motion.from, motion.to) + middle + half};
 }
 
 }  // namespace surefoot::bench

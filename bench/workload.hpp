@@ -20,6 +20,8 @@ enum class Question {
     sweep,
     ray,
     overlap,  ///< all triangles that the body overlaps at the end of the motion
+    gather,   ///< all triangles near the box around the whole motion of the body
+    nearest,  ///< the nearest point of the scene within a metre of the end of the motion
 };
 enum class Order {
     random,  ///< as made: far apart, on cold memory
@@ -37,7 +39,7 @@ struct Workload {
 /// All there are, in the order in which they are told.
 [[nodiscard]] std::vector<Workload> all_workloads();
 
-/// "short sphere sweep", "long ray", "sphere overlap".
+/// "short sphere sweep", "long ray", "sphere overlap", "sphere gather", "nearest point".
 [[nodiscard]] std::string name_of(const Workload& workload);
 [[nodiscard]] std::string_view name_of(Solver solver);
 [[nodiscard]] std::string_view name_of(Order order);
@@ -67,7 +69,12 @@ struct Stage {
 /// Asks one question after the other. This is the loop that is timed.
 [[nodiscard]] Tally ask(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
 
-/// How many triangles our own solver tests for these questions, or a negative number where it does not say.
-[[nodiscard]] double triangles_tested(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
+/// The same questions again, to our own solver, counting its work: nodes opened and triangles tested.
+[[nodiscard]] QueryWork count_work(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
+
+/// The box around a body all along its motion.
+[[nodiscard]] Bounds bounds_of(Body body, const Motion& motion);
+
+constexpr double nearest_within = 1;  ///< [m]
 
 }  // namespace surefoot::bench

@@ -75,21 +75,22 @@ std::string text_of(const bench::Stage& stage, const std::vector<bench::Row>& ro
     if (stage.embree) out += fmt::format("; Embree {}", duration(stage.embree_build_seconds));
     if (stage.bullet) out += fmt::format("; Bullet {}", duration(stage.bullet_build_seconds));
     out += '\n';
-    Table table(
-        {"question", "of", "order", "median", "x E", "p10", "p90", "hits", "mean t", "found", "tested", "checked"});
+    Table table({"question", "of", "order", "median", "x E", "p10", "p90", "hits", "mean t", "found", "nodes", "tested",
+                 "checked"});
     std::size_t wrong = 0;
     for (const bench::Row& row : rows) {
         const bench::Workload& workload = row.workload;
-        const bool is_overlap = workload.question == bench::Question::overlap;
+        const bool is_ours = workload.solver == bench::Solver::surefoot;
+        const bool has_time = workload.question == bench::Question::sweep || workload.question == bench::Question::ray;
         wrong += row.checked.wrong;
         table.add(
             {bench::name_of(workload), std::string(bench::name_of(workload.solver)),
              std::string(bench::name_of(workload.order)), short_time(row.median),
              unless(row.multiple == 0, fmt::format("{:.2f}", row.multiple)), short_time(row.p10), short_time(row.p90),
              fmt::format("{:.0f}%", 100 * row.hit_share),
-             unless(is_overlap || row.hit_share == 0, fmt::format("{:.3f}", row.mean_t)),
-             unless(!is_overlap, fmt::format("{:.1f}", row.mean_found)),
-             unless(row.tested < 0, fmt::format("{:.2f}", row.tested)),
+             unless(!has_time || row.hit_share == 0, fmt::format("{:.3f}", row.mean_t)),
+             unless(has_time, fmt::format("{:.1f}", row.mean_found)),
+             unless(!is_ours, fmt::format("{:.1f}", row.nodes)), unless(!is_ours, fmt::format("{:.1f}", row.tested)),
              unless(row.checked.answers == 0, row.checked.wrong == 0 ? fmt::format("{} right", row.checked.answers)
                                                                      : fmt::format("{} WRONG", row.checked.wrong))});
     }
@@ -121,7 +122,10 @@ std::string json_of(const bench::Stage& stage, const std::vector<bench::Row>& ro
         add("hit_share", row.hit_share);
         add("mean_t", row.mean_t);
         add("mean_found", row.mean_found);
-        if (row.tested >= 0) add("triangles_tested", row.tested);
+        if (row.workload.solver == bench::Solver::surefoot) {
+            add("nodes_opened", row.nodes);
+            add("triangles_tested", row.tested);
+        }
         out += fmt::format(R"(,"checked":{},"wrong":{}}})", row.checked.answers, row.checked.wrong);
     }
     return out + "]}";
@@ -174,6 +178,12 @@ void add_bench(CLI::App& program, Run& run) {
     command->add_option("--rounds", given->suite.rounds, "Batches of each question (default: 101)")
         ->type_name("N")
         ->check(CLI::Range(1, 1'000'000));
+    command
+        ->add_option_function<double>(
+            "--batch", [given](double ms) { given->suite.batch_seconds = 1e-3 * ms; },
+            "How long a batch takes (default: 4)")
+        ->type_name("MS")
+        ->check(CLI::Range(0.01, 1000.0));
     command->add_option("--motions", given->suite.motions, "Different motions of each kind (default: 16384)")
         ->type_name("N")
         ->check(CLI::Range(1, 10'000'000));
