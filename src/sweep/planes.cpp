@@ -125,8 +125,9 @@ Plane Planes::shallowest(const Vec& heading) const noexcept {
     const double least = depth_of(*best) + hair() * (squashed ? 1 / reach_against(query_.shape, best->normal) : 1);
     const auto rank = [&](const Plane& plane) {
         const double approach = dot(plane.normal, heading);
-        constexpr double sliding = 0x1p-40;  // far above the rounding in a unit normal and the heading
-        return (approach < -sliding ? 8 : (approach < sliding ? 4 : 0)) + std::popcount(touched_corners(plane.normal));
+        constexpr double sliding = 0x1p-20;  // far above the rounding in normals, but for those of slivers
+        return (approach < -sliding ? 16 : (approach < sliding ? 8 : 0)) +
+               2 * std::popcount(touched_corners(plane.normal)) + (approach < 0 ? 1 : 0);
     };
     int highest = rank(*best);
     for (const Plane& plane : all()) {
