@@ -1,0 +1,160 @@
+// Cylinder and cone that start in touch: cases that kernel or judge once had wrong. The families of `surefoot prove`
+// found them; each is named after what is special about it.
+#include <gtest/gtest.h>
+
+#include <surefoot/sweep.hpp>
+
+#include "judge/judge.hpp"
+#include "prove/bridge.hpp"
+
+namespace {
+
+using judge::Kind;
+using judge::Query;
+using judge::Verdict;
+
+struct Asked {
+    judge::Answer answer;
+    Verdict verdict;
+};
+
+Asked ask(const Query& query) {
+    const judge::Answer answer = surefoot::tools::ask(query);
+    return {answer, judge::judge(query, answer).verdict};
+}
+
+/// The opposite claim must be refused, or the judge would agree with anything.
+Verdict verdict_of_the_opposite(const Query& query, judge::Answer answer) {
+    answer.hit = !answer.hit;
+    answer.t = 0;
+    answer.normal = {0, 1, 0};
+    answer.point = query.from;
+    return judge::judge(query, answer).verdict;
+}
+
+Query query_of(Kind kind, double radius, double height, const judge::Vec& from, const judge::Vec& to) {
+    Query query;
+    query.kind = kind;
+    query.size = {radius, height, 0};
+    query.from = from;
+    query.to = to;
+    return query;
+}
+
+void turn(Query& query, double w, double x, double y, double z) {
+    query.qw = w, query.qx = x, query.qy = y, query.qz = z;
+}
+
+void corners(Query& query, const judge::Vec& a, const judge::Vec& b, const judge::Vec& c) {
+    query.a = a, query.b = b, query.c = c;
+}
+
+TEST(UprightStart, a_slope_that_is_zero_to_every_digit_is_no_approach) {
+    Query query = query_of(Kind::cone, 400, 480, {2097151.998626709, 1048576.0016937256, -2097152.000793457},
+                           {2097151.998626709, 1048160.0016937256, -2098040.000793457});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {3635472, 1965024, -2804288}, {558352, 132064, -1391168}, {-2703088, -1766432, -709696});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_NE(verdict_of_the_opposite(query, asked.answer), Verdict::right);
+}
+
+TEST(UprightStart, three_normals_of_a_rim_may_meet_in_one) {
+    // The edge passes the rim's ellipse at the cusp of its evolute: doubles know a third of the normal's digits.
+    Query query = query_of(Kind::cone, 2.8125, 5.0625, {-1.0625, -3.5, -3.75}, {-1.1015625, -3.4921875, -3.744140625});
+    turn(query, 1, 2, 2, 0);
+    corners(query, {3.1875, -0.9375, 7.5}, {3.1875, -8.9375, -8.5}, {81.1875, -32.9375, 3.5});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_NE(verdict_of_the_opposite(query, asked.answer), Verdict::right);
+}
+
+TEST(UprightStart, the_far_side_of_a_rim_may_be_the_way_out) {
+    // Two normals of the rim lie close together; a search on a grid saw neither and took the face for the nearest.
+    Query query = query_of(Kind::cylinder, 0.15625, 0.03125, {-0.3984375, 0.09375, 0.0546875},
+                           {-49.1484375, 12.59375, -13.6953125});
+    turn(query, 1, 1, 1, 1);
+    corners(query, {-65.46875, 13.75, -19.96875}, {-65.46875, 19, -16.96875}, {64.53125, -13.75, 20.03125});
+    const Asked asked = ask(query);
+    EXPECT_TRUE(asked.answer.hit);
+    EXPECT_EQ(asked.answer.t, 0);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_NE(verdict_of_the_opposite(query, asked.answer), Verdict::right);
+}
+
+TEST(UprightStart, leaving_by_the_far_side_of_a_rim_is_no_hit) {
+    Query query = query_of(Kind::cylinder, 2, 2, {-2.2604590835203586, 1.090911258835253, 4.2406471880144325},
+                           {-5.719614695482704, 0.9219742435714519, -0.5895755858239751});
+    turn(query, 2, 2, -4, -3);
+    corners(query, {-3.097018003463745, -1.5870442390441895, 5.321222305297852},
+            {-2.8783090114593506, 2.3264517784118652, 3.248534917831421},
+            {1.362303376197815, 0.04756476357579231, 6.6031599044799805});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_NE(verdict_of_the_opposite(query, asked.answer), Verdict::right);
+}
+
+TEST(UprightStart, apart_by_less_than_the_hair_it_is_a_hit_only_if_they_meet) {
+    // The apex passes a corner at an ulp of an ulp: closing at first, and never in touch.
+    Query query = query_of(Kind::cone, 0.09765625, 0.15625, {0.007812500000000002, -0.00390625, 0.0078125},
+                           {-0.0390625, -0.0039062499999999996, 0.0078125});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {0.0078125, -0.00390625, 0.0078125}, {-0.0078125, 0.01171875, 0.2890625},
+            {0.0703125, 0.04296875, 0.0703125});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+}
+
+TEST(UprightStart, a_rim_that_passes_a_corner_by_an_ulp_of_an_ulp_is_no_hit) {
+    Query query = query_of(Kind::cone, 6.25, 1.25, {-24, -8, -32}, {-40, -135.99999999999997, 64});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {-23.999999999999996, -13.75, -29.25}, {-20, -21.75, -23.25}, {-27, -31.75, -53.25});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+}
+
+/// Standing shapes whose lowest points are `up` below the reference point.
+struct Standing {
+    Kind kind;
+    double radius, height, up;
+};
+
+class UprightOnAFloor : public testing::TestWithParam<Standing> {
+protected:
+    [[nodiscard]] Query moving_by(const judge::Vec& d) const {
+        const Standing& s = GetParam();
+        Query query = query_of(s.kind, s.radius, s.height, {0.125, s.up, 0.25}, {0.125 + d.x, s.up + d.y, 0.25 + d.z});
+        corners(query, {-10, 0, -10}, {10, 0, -9}, {0, 0, 12});
+        return query;
+    }
+};
+
+TEST_P(UprightOnAFloor, sliding_is_free_however_it_is_turned) {
+    for (const double yaw : {0.0, 0.25, 0.3826834323650898}) {
+        Query query = moving_by({0.25, 0, 0.5});
+        turn(query, 1, 0, yaw, 0);
+        EXPECT_FALSE(ask(query).answer.hit);
+        EXPECT_EQ(ask(query).verdict, Verdict::right);
+    }
+}
+
+TEST_P(UprightOnAFloor, the_least_step_down_is_a_hit_and_the_least_step_up_is_none) {
+    for (const double step : {0x1p-40, 0x1p-20, 1.0}) {
+        const Asked down = ask(moving_by({0.25, -step, 0}));
+        EXPECT_TRUE(down.answer.hit);
+        EXPECT_EQ(down.verdict, Verdict::right);
+        const Asked up = ask(moving_by({0.25, step, 0}));
+        EXPECT_FALSE(up.answer.hit);
+        EXPECT_EQ(up.verdict, Verdict::right);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, UprightOnAFloor,
+                         testing::Values(Standing{Kind::cylinder, 0.5, 1, 1}, Standing{Kind::cone, 0.5, 1, 0}));
+
+}  // namespace
