@@ -84,7 +84,8 @@ std::optional<Motion> brief_motion(const Scene& scene, const Mesh& mesh, const V
     if (!hold) return std::nullopt;
     const dvec3 towards = std::visit([&](const auto& shape) { return furthest(shape, -hold->normal); }, volume.shape);
     const dvec3 from = hold->point + hold->normal * random.in(0.005, 0.05) - towards;
-    const dvec3 to = from + direction_of_a_step(hold->normal, random) * random.in(0.1, 0.5);
+    const dvec3 along = direction_of_a_step(hold->normal, random);
+    const dvec3 to = from + along * random.in(0.1, 0.5);
     if (!is_free(mesh, volume, from)) return std::nullopt;
     return Motion{from, to};
 }

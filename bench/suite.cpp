@@ -1,39 +1,13 @@
 #include "suite.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "clock.hpp"
+#include "shelf.hpp"
 
 namespace surefoot::bench {
 namespace {
-
-using Motions = std::vector<Motion>;
-
-/// Motions are made once for all workloads that share them.
-class MotionShelf {
-public:
-    MotionShelf(const Stage& stage, std::size_t count) : stage_(stage), count_(count) {}
-
-    const Motions& of(const Workload& workload) {
-        // Distant motions are the same for all bodies.
-        const Body body = workload.path == Path::distant ? Body::sphere : workload.body;
-        const auto [place, is_new] = made_.try_emplace({workload.path, body, workload.order});
-        if (!is_new) return place->second;
-        if (workload.order == Order::sorted) {
-            Workload as_made = workload;
-            as_made.order = Order::random;
-            return place->second = sorted_in_space(of(as_made));
-        }
-        return place->second = make_motions(stage_.scene, stage_.mesh, body, workload.path, count_);
-    }
-
-private:
-    const Stage& stage_;
-    std::size_t count_;
-    std::map<std::tuple<Path, Body, Order>, Motions> made_;  // of nodes, so that references stay good
-};
 
 /// A workload while it is timed.
 struct Lane {
@@ -134,7 +108,7 @@ std::vector<Row> run_suite(const Stage& stage, const SuiteOptions& options) {
     MotionShelf shelf(stage, options.motions);
     std::vector<Lane> lanes;
     for (const Workload& workload : all_workloads()) {
-        if (!stage.can_run(workload) || !is_wanted(workload, options)) continue;
+        if (!is_built_in(workload.solver) || !is_wanted(workload, options)) continue;
         const std::span<const Motion> motions = shelf.of(workload);
         if (!motions.empty()) lanes.push_back({.workload = workload, .motions = motions});
     }

@@ -113,6 +113,11 @@ std::string_view name_of(Order order) {
     return order == Order::random ? "random" : "sorted";
 }
 
+bool is_built_in(Solver solver) {
+    if (solver == Solver::embree) return embree_missing().empty();
+    return solver == Solver::surefoot || bullet_missing().empty();
+}
+
 Stage::Stage(Scene&& made)
     : scene(std::move(made)),
       mesh(timed(build_seconds, [&] { return build_or_throw(scene); })),
@@ -133,7 +138,8 @@ QueryWork count_work(const Stage& stage, const Workload& workload, std::span<con
 
 Bounds bounds_of(Body body, const Motion& motion) {
     // A cone stands on its reference point; the other bodies have theirs in the middle.
-    const dvec3 half = body == Body::sphere ? dvec3(0.4) : dvec3(0.4, 0.9, 0.4);
+    constexpr double skin = 0.05;
+    const dvec3 half = (body == Body::sphere ? dvec3(0.4) : dvec3(0.4, 0.9, 0.4)) + skin;
     const dvec3 middle = body == Body::cone ? dvec3(0, 0.9, 0) : dvec3(0, 0, 0);
     return {glm::min(motion.from, motion.to) + middle - half, glm::max(motion.from, motion.to) + middle + half};
 }

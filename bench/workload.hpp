@@ -44,6 +44,9 @@ struct Workload {
 [[nodiscard]] std::string_view name_of(Solver solver);
 [[nodiscard]] std::string_view name_of(Order order);
 
+/// Is it ours, or a peer that was installed when this was built?
+[[nodiscard]] bool is_built_in(Solver solver);
+
 /// A scene, and everything that answers questions about it. Stays where it is: the peers point into the scene.
 struct Stage {
     explicit Stage(Scene&& made);
@@ -52,9 +55,6 @@ struct Stage {
 
     [[nodiscard]] const Peer* peer(Solver solver) const {
         return solver == Solver::embree ? embree.get() : solver == Solver::bullet ? bullet.get() : nullptr;
-    }
-    [[nodiscard]] bool can_run(const Workload& workload) const {
-        return workload.solver == Solver::surefoot || peer(workload.solver) != nullptr;
     }
 
     double build_seconds = 0;  ///< what one waits for Mesh::build [s]
@@ -72,7 +72,7 @@ struct Stage {
 /// The same questions again, to our own solver, counting its work: nodes opened and triangles tested.
 [[nodiscard]] QueryWork count_work(const Stage& stage, const Workload& workload, std::span<const Motion> motions);
 
-/// The box around a body all along its motion.
+/// The box around a body all along its motion, and 5 cm more: what a character's step gathers.
 [[nodiscard]] Bounds bounds_of(Body body, const Motion& motion);
 
 constexpr double nearest_within = 1;  ///< [m]

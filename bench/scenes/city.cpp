@@ -112,7 +112,7 @@ void furniture(Builder& builder, Random& random, double y) {
 }
 
 void build_house(Builder& builder, Random& random) {
-    const std::uint32_t floors = 3 + random.below(5);
+    const std::uint32_t floors = 3 + random.below(3);
     for (std::uint32_t level = 0; level < floors; ++level) {
         const double y = slab + level * storey;
         if (level == 0) builder.box({0, 0, 0}, {house, slab, house});

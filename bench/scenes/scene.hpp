@@ -28,7 +28,7 @@ struct Scene {
 /// Fractal hills over `quads` x `quads` squares of 0.5 m, two triangles each: 524,288 triangles by default.
 [[nodiscard]] Scene make_terrain(std::uint32_t quads = 512);
 
-/// `blocks` x `blocks` houses of three to seven floors on a paved ground: walls with doors and windows, stairs from
+/// `blocks` x `blocks` houses of three to five floors on a paved ground: walls with doors and windows, stairs from
 /// floor to floor, furniture. About 200,000 triangles by default.
 [[nodiscard]] Scene make_city(std::uint32_t blocks = 8);
 

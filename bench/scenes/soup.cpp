@@ -34,7 +34,10 @@ Scene make_soup(std::uint32_t triangles) {
         dvec3 across = other - along * share;
         const double length = std::sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
         across = length > 1e-3 ? across / length : dvec3(0, 1, 0);
-        const dvec3 c = a + along * random.in(0.1 * edge, 0.9 * edge) + across * random.in(0.6 * edge, 1.1 * edge);
+        // One number a line: the order within an expression is the compiler's.
+        const double share_along = random.in(0.1 * edge, 0.9 * edge);
+        const double share_across = random.in(0.6 * edge, 1.1 * edge);
+        const dvec3 c = a + along * share_along + across * share_across;
         for (const dvec3& corner : {a, b, c}) {
             scene.indices.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
             scene.vertices.emplace_back(corner);
