@@ -208,7 +208,7 @@ public:
             const bool closes = nearest.approach < -slope_hair_;
             if (!closes && !(nearest.approach > slope_hair_)) return false;
             (closes ? low : high) = t - nearest.gap / nearest.approach;
-            if (low > high) return false;
+            if (low > high + Real(0x1p-280)) return false;
             t = round % 2 == 1 ? (low + high) * Real(0.5) : (closes ? low : high);
         }
         return true;  // so nearly that it counts

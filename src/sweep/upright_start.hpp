@@ -234,7 +234,7 @@ private:
             if constexpr (is_rough) doubt_ = doubt_of_rim(u, v, a2, c2, along_across, along_upward, sideways, edge.y);
             add(-(across * along_across + upward * along_upward));
         };
-        if (!(v > hair_) && !(v < -hair_) && !is_rough) {
+        if (is_rough ? sign_of(v) == 0 : !(v > hair_) && !(v < -hair_)) {
             // On the long axis: straight out along it, or the two points where the ellipse is nearest, side by side.
             add_normal(u, Scalar(0.0));
             const Scalar share = u / (a2 * slope * slope);
@@ -243,11 +243,6 @@ private:
             const Scalar other = square_root(rest / c2);
             add_normal(share, other);
             add_normal(share, -other);
-            return;
-        }
-        if (sign_of(v) == 0) {
-            add_normal(u, Scalar(0.0));
-            planes_[count_ - 1].doubt = 1;
             return;
         }
         // The points of the ellipse whose normal runs through the edge are those with
