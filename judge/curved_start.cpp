@@ -92,8 +92,21 @@ constexpr Band quick_depth{-1, 1e-13}, quick_slope{-1, 1e-5};
 /// In 1280 bits a third of the digits is 2^-426, and some are lost on the way there.
 constexpr Band wide_band{0x1p-360, 0x1p-200};
 
+/// Along a cap or a face the slope is a whole number: an ulp of zero counts there.
 template <class F>
-StartSigns decide(Kind kind, const Placed<F>& at, const Band& depth, const Band& slope, double least_gap) {
+int sign_of_flat(const Exactly& exactly, const V3<F>& n) {
+    if (n.x == F(0) && n.z == F(0)) return n.y > F(0) ? sign_of(exactly.d.y) : -sign_of(exactly.d.y);
+    const V3<Dyadic> face = cross(exactly.w[1] - exactly.w[0], exactly.w[2] - exactly.w[0]);
+    const V3<F> normal = rounded<F>(face), aside = cross(n, normal);
+    const F size = length(normal);
+    if (!(size > F(0)) || length(aside) > F(wide_band.zero) * size) return 0;
+    const int slope = sign_of(dot(face, exactly.d));
+    return dot(n, normal) > F(0) ? slope : -slope;
+}
+
+template <class F>
+StartSigns decide(Kind kind, const Exactly& exactly, const Placed<F>& at, const Band& depth, const Band& slope,
+                  double least_gap) {
     const auto found = at.normals(kind, F(0), least_gap);
     F best = found.front().gap;
     for (const auto& c : found)
@@ -106,7 +119,8 @@ StartSigns decide(Kind kind, const Placed<F>& at, const Band& depth, const Band&
     for (const auto& c : found) {
         const int behind = depth.sign(F(best - c.gap), at.largest);
         if (behind == 1) continue;
-        const int here = slope.sign(dot(c.n, at.d), speed);
+        int here = slope.sign(dot(c.n, at.d), speed);
+        if (here == 0) here = sign_of_flat(exactly, c.n);
         doubtful = doubtful || here == unsure;
         highest = std::max(highest, here);
         lowest = std::min(lowest, here);
@@ -131,9 +145,10 @@ double largest_in_doubles(const Query& query, const Exactly& at) {
 
 StartSigns curved_start(const Query& query, double t) {
     const Exactly at(query, t);
-    const StartSigns quick = decide(query.kind, Placed<long double>(at), quick_depth, quick_slope, -HUGE_VAL);
+    const StartSigns quick = decide(query.kind, at, Placed<long double>(at), quick_depth, quick_slope, -HUGE_VAL);
     if (quick.depth != unsure && quick.slope != unsure) return quick;
-    return decide(query.kind, Placed<Big>(at), wide_band, wide_band, quick.g - 1e-9 * largest_in_doubles(query, at));
+    return decide(query.kind, at, Placed<Big>(at), wide_band, wide_band,
+                  quick.g - 1e-9 * largest_in_doubles(query, at));
 }
 
 Pass curved_pass(const Query& query) {
