@@ -180,6 +180,8 @@ public:
                               bool& apart) const noexcept {
         UprightStart<Real> start(query_.corners, query_.along, shape_, hair_);
         start.propose(active, &roots);
+        // What doubles took for on the axis, or for a root, may not be there at all.
+        if (start.count() == 0) start.propose();
         const Real least = start.nearest().gap - hair_;
         apart = least > Real(0.0);
         for (int i = 0; i < start.count(); ++i) {
