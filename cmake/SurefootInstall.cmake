@@ -14,6 +14,12 @@ function(install_component component)
 endfunction()
 
 install_component(core surefoot)
+# A static library leaves it to whoever links it to link Highway too.
+set(SUREFOOT_CORE_STATIC FALSE)
+get_target_property(type surefoot TYPE)
+if(type STREQUAL STATIC_LIBRARY)
+  set(SUREFOOT_CORE_STATIC TRUE)
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp")
 

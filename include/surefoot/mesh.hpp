@@ -25,6 +25,16 @@ struct MeshInput {
     std::span<const std::uint32_t> surfaces{};  ///< one a triangle, your own numbers; empty means 0 for all
 };
 
+/// How much memory a mesh takes [bytes].
+struct MeshMemory {
+    std::size_t nodes = 0;     ///< the tree
+    std::size_t leaves = 0;    ///< triangles: vertices, ids, kinds of edges
+    std::size_t places = 0;    ///< from an id to its triangle; queries do not read it
+    std::size_t surfaces = 0;  ///< read for what was hit only
+
+    [[nodiscard]] std::size_t total() const noexcept { return nodes + leaves + places + surfaces; }
+};
+
 /// Immutable triangles and a tree. Cheap to copy: copies share the same data.
 ///
 /// Threads: every const call may run on any number of threads at once, and so may making and destroying copies. Memory:
@@ -34,8 +44,19 @@ class Mesh {
 public:
     /// Builds a mesh, in O(n log n). Fails with `invalid` when an index is out of range, the number of indices is not a
     /// multiple of three, the number of surfaces does not match, or a coordinate is not finite or beyond 1e9 m; with
-    /// `limit` beyond 2^31 triangles. A mesh with no triangles is fine and is never hit.
+    /// `limit` beyond some 80 million triangles. A mesh with no triangles is fine and is never hit. Uses up to 16
+    /// threads; the mesh is the same however many there are.
     [[nodiscard]] static Expected<Mesh> build(const MeshInput& input);
+
+    /// The same triangles, moved: the shape of the tree is kept and its boxes are made anew, in O(n), which is several
+    /// times as fast as building. The further triangles move from their neighbours, the slower queries get; answers
+    /// are those of a new mesh. Surfaces are kept if none are given, and what is hidden stays hidden. Fails as `build`
+    /// does, and with `invalid` if there are more or fewer triangles.
+    [[nodiscard]] Expected<Mesh> refit(const MeshInput& moved) const;
+
+    /// The same mesh with these triangles hidden (or shown again): queries do not meet what is hidden. The triangles
+    /// are shared with this mesh, a bit a triangle is not. Fails with `invalid` if there is no such triangle.
+    [[nodiscard]] Expected<Mesh> with_hidden(std::span<const std::uint32_t> ids, bool hidden = true) const;
 
     Mesh(const Mesh& other) noexcept;
     Mesh(Mesh&& other) noexcept;
@@ -82,6 +103,10 @@ public:
 
     /// Requires: `id` < triangle_count().
     [[nodiscard]] std::uint32_t surface(std::uint32_t id) const noexcept;
+
+    [[nodiscard]] bool is_hidden(std::uint32_t id) const noexcept;
+
+    [[nodiscard]] MeshMemory memory() const noexcept;
 
 private:
     struct Data;

@@ -13,8 +13,12 @@
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
-/// How a query finds its triangles. Both give the same bits; brute force is the reference that proves it.
-enum class Search : std::uint8_t { tree, brute_force };
+/// How a query finds its triangles. All give the same bits; the slower ones are the references that prove it.
+enum class Search : std::uint8_t {
+    tree,         ///< the fastest way there is
+    scalar_tree,  ///< the same tree one box at a time, without SIMD and without the float filter
+    brute_force,  ///< every triangle is asked
+};
 
 /// What can be a filter.
 template <typename T>

@@ -1,0 +1,410 @@
+#include "kernels/mesh_search.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "tree/binary_tree.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/mesh_search.cpp"
+#include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>  // compiles this file once for each target, so no header below may be left unguarded
+#include <hwy/highway.h>
+
+#include "kernels/triangle_filter-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace surefoot::internal {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::size_t most_candidates = 128;
+constexpr std::size_t most_leaves = 64;
+// Each level leaves at most seven siblings behind.
+constexpr std::size_t stack_size = 7 * (deepest_tree + 1) + tree_width;
+
+// Hands candidates on when there are many, and at the end.
+class Outbox {
+public:
+    explicit Outbox(MeshSearch& search) noexcept : search_(search) {}
+    void add(const Candidate& candidate) noexcept {
+        if (count_ == most_candidates) flush();
+        candidates_[count_++] = candidate;
+    }
+    void flush() noexcept {
+        if (count_ == 0) return;
+        search_.limit = search_.take(search_.context, {candidates_, count_});
+        count_ = 0;
+    }
+
+private:
+    MeshSearch& search_;
+    std::size_t count_ = 0;
+    Candidate candidates_[most_candidates];
+};
+
+// The region, rounded outwards, relative to a tile.
+struct FloatRegion {
+    float min[3];
+    float max[3];
+};
+
+HWY_INLINE float rounded_down(double s) noexcept {
+    const auto f = static_cast<float>(s);
+    return static_cast<double>(f) <= s ? f : std::nextafterf(f, -HUGE_VALF);
+}
+HWY_INLINE float rounded_up(double s) noexcept {
+    return -rounded_down(-s);
+}
+
+HWY_INLINE FloatRegion region_about(const Box3& box, const Vec& origin) noexcept {
+    // The difference with an origin other than zero is rounded once; the extent has a margin that is far larger.
+    return {
+        {rounded_down(box.min.x - origin.x), rounded_down(box.min.y - origin.y), rounded_down(box.min.z - origin.z)},
+        {rounded_up(box.max.x - origin.x), rounded_up(box.max.y - origin.y), rounded_up(box.max.z - origin.z)}};
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> decoded(D d, const WideNode& node, int axis, const std::uint8_t* q) noexcept {
+    const hn::Rebind<std::uint8_t, D> bytes;
+    const hn::Rebind<std::int32_t, D> ints;
+    const auto steps = hn::ConvertTo(d, hn::PromoteTo(ints, hn::LoadU(bytes, q)));
+    return hn::Add(hn::Set(d, node.origin[axis]), hn::Mul(steps, hn::Set(d, node.step(axis))));
+}
+
+// Which children's boxes meet the region: a bit each.
+HWY_INLINE std::uint32_t children_in(const WideNode& node, const FloatRegion& region) noexcept {
+    const hn::CappedTag<float, tree_width> d;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < tree_width; i += hn::Lanes(d)) {
+        auto meets = hn::FirstN(d, hn::Lanes(d));
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto low = decoded(d, node, axis, node.low[axis] + i);
+            const auto high = decoded(d, node, axis, node.high[axis] + i);
+            meets = hn::And(
+                meets, hn::And(hn::Le(low, hn::Set(d, region.max[axis])), hn::Ge(high, hn::Set(d, region.min[axis]))));
+        }
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, meets, mask);
+        bits |= (mask[0] & ((1U << hn::Lanes(d)) - 1)) << i;
+    }
+    return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
+}
+
+// Which triangles of a leaf have a box that meets the region, a bit each: those whose three vertices are not all beyond
+// the same side of it.
+HWY_INLINE std::uint32_t triangles_in(const LeafBlock& block, const FloatRegion& region) noexcept {
+    const hn::CappedTag<float, tree_width> d;
+    const hn::Rebind<std::int32_t, decltype(d)> ints;
+    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
+    alignas(16) std::uint8_t beyond[32];
+    for (std::size_t i = 0; i < block.vertices; i += hn::Lanes(d)) {
+        auto sides = hn::Zero(ints);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = hn::LoadU(d, block.axis(axis) + i);
+            const auto below = hn::RebindMask(ints, hn::Lt(at, hn::Set(d, region.min[axis])));
+            const auto above = hn::RebindMask(ints, hn::Gt(at, hn::Set(d, region.max[axis])));
+            sides = hn::Or(sides, hn::Or(hn::IfThenElseZero(below, hn::Set(ints, 1 << (2 * axis))),
+                                         hn::IfThenElseZero(above, hn::Set(ints, 2 << (2 * axis)))));
+        }
+        hn::StoreU(hn::DemoteTo(bytes, sides), bytes, beyond + i);
+    }
+    std::uint32_t bits = 0;
+    for (std::uint32_t slot = 0; slot < block.count; ++slot) {
+        std::uint8_t all = 0xff;
+        for (int i = 0; i < 3; ++i) all &= beyond[block.corner(i)[slot] & 31];
+        bits |= static_cast<std::uint32_t>(all == 0) << slot;
+    }
+    return bits;
+}
+
+// The corners of up to eight triangles, relative to `from`, on their way into the filter.
+class Batch {
+public:
+    Batch(const MeshSearch& search) noexcept : search_(search) {}
+
+    // Returns true when it is full.
+    HWY_INLINE bool add(const LeafBlock& block, std::uint32_t slot, std::uint32_t place,
+                        const float (&from)[3]) noexcept {
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t named = block.corner(i)[slot];
+            const std::uint32_t index = named < block.vertices ? named : 0;
+            for (int axis = 0; axis < 3; ++axis) corners_[i][axis][count_] = block.axis(axis)[index] - from[axis];
+        }
+        from_size_ = std::max(from_size_, std::max(std::abs(from[0]), std::max(std::abs(from[1]), std::abs(from[2]))));
+        places_[count_] = place;
+        return ++count_ == tree_width;
+    }
+
+    template <bool long_motion>
+    HWY_INLINE void filter(Outbox& out) noexcept {
+        if (count_ == 0) return;
+        for (std::size_t i = count_; i < tree_width; ++i) {
+            for (auto& corner : corners_) {
+                for (auto& axis : corner) axis[i] = axis[0];
+            }
+        }
+        float times[tree_width];
+        std::uint32_t bits = survivors<long_motion>(search_.filter, corners_, from_size_, search_.limit, times);
+        bits &= (1U << count_) - 1;
+        while (bits != 0) {
+            const int lane = std::countr_zero(bits);
+            bits &= bits - 1;
+            out.add({times[lane], places_[lane]});
+        }
+        count_ = 0;
+        from_size_ = 0;
+    }
+
+private:
+    const MeshSearch& search_;
+    std::size_t count_ = 0;
+    float from_size_ = 0;
+    std::uint32_t places_[tree_width];
+    alignas(32) float corners_[3][3][tree_width];
+};
+
+HWY_INLINE void from_about(const MeshSearch& search, const Vec& origin, float (&from)[3]) noexcept {
+    from[0] = static_cast<float>(search.motion.from.x - origin.x);
+    from[1] = static_cast<float>(search.motion.from.y - origin.y);
+    from[2] = static_cast<float>(search.motion.from.z - origin.z);
+}
+
+HWY_INLINE void prefetch_leaf(const MeshView& view, std::uint32_t word) noexcept {
+    if (word >= view.leaves.size()) return;
+    const std::uint32_t* const words = &view.leaves[word];
+    hwy::Prefetch(words);
+    hwy::Prefetch(words + 16);  // of 64 bytes each; a leaf has two to six
+    hwy::Prefetch(words + 32);
+}
+
+// Calls `visit(leaf word)` for the leaves whose boxes meet the region.
+template <class Visit>
+HWY_INLINE void visit_region(MeshSearch& search, const Visit& visit) noexcept {
+    const MeshView& view = *search.view;
+    if (view.nodes.empty()) return;
+    const FloatRegion region = region_about(search.region, {});
+    std::uint32_t stack[stack_size];
+    std::size_t size = 0;
+    stack[size++] = 0;
+    // Every node has one parent, so no more than all of them can be opened.
+    std::size_t left = view.nodes.size();
+    while (size > 0) {
+        const std::uint32_t index = stack[--size];
+        const WideNode& node = view.nodes[index];
+        ++search.nodes;
+        if (left-- == 0) {
+            search.overflowed = true;
+            return;
+        }
+        std::uint32_t bits = children_in(node, region);
+        while (bits != 0) {
+            const std::uint32_t child = node.child[std::countr_zero(bits)];
+            bits &= bits - 1;
+            if ((child & leaf_bit) != 0) {
+                prefetch_leaf(view, child & ~leaf_bit);
+                visit(child & ~leaf_bit);
+            } else if (child > index && child < view.nodes.size() && size < stack_size) {
+                hwy::Prefetch(&view.nodes[child]);
+                stack[size++] = child;
+            }
+        }
+    }
+}
+
+void SearchRegion(MeshSearch& search) {
+    const MeshView& view = *search.view;
+    Outbox out(search);
+    Batch batch(search);
+    std::uint32_t leaves[most_leaves];
+    std::size_t count = 0;
+    std::uint32_t tile = ~0U;
+    FloatRegion region{};
+    float from[3] = {};
+    const auto look_into_leaves = [&]() HWY_ATTR {
+        for (std::size_t i = 0; i < count; ++i) {
+            const LeafBlock block = view.leaf(leaves[i]);
+            if (block.count == 0) continue;
+            if (block.tile != tile) {
+                tile = block.tile;
+                region = region_about(search.region, view.origin_of(tile));
+                from_about(search, view.origin_of(tile), from);
+            }
+            std::uint32_t bits = triangles_in(block, region);
+            while (bits != 0) {
+                const auto slot = static_cast<std::uint32_t>(std::countr_zero(bits));
+                bits &= bits - 1;
+                if (batch.add(block, slot, leaves[i] << 3 | slot, from)) batch.template filter<false>(out);
+            }
+        }
+        count = 0;
+    };
+    visit_region(search, [&](std::uint32_t word) HWY_ATTR {
+        if (count == most_leaves) look_into_leaves();
+        leaves[count++] = word;
+    });
+    look_into_leaves();
+    batch.template filter<false>(out);
+    out.flush();
+}
+
+void SearchBoxes(MeshSearch& search) {
+    const MeshView& view = *search.view;
+    Outbox out(search);
+    visit_region(search, [&](std::uint32_t word) HWY_ATTR {
+        const LeafBlock block = view.leaf(word);
+        if (block.count == 0) return;
+        std::uint32_t bits = triangles_in(block, region_about(search.region, view.origin_of(block.tile)));
+        while (bits != 0) {
+            const auto slot = static_cast<std::uint32_t>(std::countr_zero(bits));
+            bits &= bits - 1;
+            out.add({0, word << 3 | slot});
+        }
+    });
+    out.flush();
+}
+
+// A motion as the slab test wants it: a box is entered at (low - reach_high - from) / along, and so on.
+struct Slabs {
+    float below[3];  // from + the shape's high side, to be taken from a box's low side
+    float above[3];  // from + the shape's low side
+    float per_along[3];
+};
+
+HWY_INLINE Slabs slabs_of(const MeshSearch& search) noexcept {
+    Slabs slabs;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<glm::length_t>(axis);
+        const double from = search.motion.from[i];
+        const double along = search.motion.to[i] - from;
+        const Vec& low = search.extent.min;
+        const Vec& high = search.extent.max;
+        const double low_side = axis == 0 ? low.x : (axis == 1 ? low.y : low.z);
+        const double high_side = axis == 0 ? high.x : (axis == 1 ? high.y : high.z);
+        // Rounding in what follows: of three sums, a product and a quotient.
+        const double margin = 0x1p-20 * (absolute(from) + absolute(along) + magnitude_of(search.view->bounds));
+        slabs.below[axis] = rounded_up(from + high_side + margin);
+        slabs.above[axis] = rounded_down(from + low_side - margin);
+        const double least = 1e-30;  // less is standing still
+        slabs.per_along[axis] = static_cast<float>(absolute(along) < least ? 1e30 : 1 / along);
+    }
+    return slabs;
+}
+
+// Which children's boxes the motion may enter before the limit, a bit each, and when.
+HWY_INLINE std::uint32_t children_along(const WideNode& node, const Slabs& slabs, float limit,
+                                        float (&times)[tree_width]) noexcept {
+    const hn::CappedTag<float, tree_width> d;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < tree_width; i += hn::Lanes(d)) {
+        auto enter = hn::Zero(d);
+        auto leave = hn::Set(d, limit);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto per_along = hn::Set(d, slabs.per_along[axis]);
+            const auto low =
+                hn::Mul(hn::Sub(decoded(d, node, axis, node.low[axis] + i), hn::Set(d, slabs.below[axis])), per_along);
+            const auto high =
+                hn::Mul(hn::Sub(decoded(d, node, axis, node.high[axis] + i), hn::Set(d, slabs.above[axis])), per_along);
+            enter = hn::Max(enter, hn::Min(low, high));
+            leave = hn::Min(leave, hn::Max(low, high));
+        }
+        hn::StoreU(enter, d, times + i);
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, hn::Le(enter, leave), mask);
+        bits |= (mask[0] & ((1U << hn::Lanes(d)) - 1)) << i;
+    }
+    return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
+}
+
+void SearchAlong(MeshSearch& search) {
+    const MeshView& view = *search.view;
+    if (view.nodes.empty()) return;
+    struct Entry {
+        float t;
+        std::uint32_t child;
+    };
+    Outbox out(search);
+    Batch batch(search);
+    const Slabs slabs = slabs_of(search);
+    Entry stack[stack_size];
+    std::size_t size = 0;
+    stack[size++] = {0, 0};
+    std::size_t left = view.nodes.size();
+    std::uint32_t tile = ~0U;
+    float from[3] = {};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        if (entry.t > search.limit) continue;
+        if ((entry.child & leaf_bit) != 0) {
+            const std::uint32_t word = entry.child & ~leaf_bit;
+            const LeafBlock block = view.leaf(word);
+            if (block.count == 0) continue;
+            if (block.tile != tile) {
+                tile = block.tile;
+                from_about(search, view.origin_of(tile), from);
+            }
+            for (std::uint32_t slot = 0; slot < block.count; ++slot) batch.add(block, slot, word << 3 | slot, from);
+            batch.template filter<true>(out);
+            out.flush();
+            continue;
+        }
+        const WideNode& node = view.nodes[entry.child];
+        ++search.nodes;
+        if (left-- == 0) {
+            search.overflowed = true;
+            return;
+        }
+        float times[tree_width];
+        std::uint32_t bits = children_along(node, slabs, search.limit, times);
+        const std::size_t first = size;
+        while (bits != 0 && size < stack_size) {
+            const int i = std::countr_zero(bits);
+            bits &= bits - 1;
+            const std::uint32_t child = node.child[i];
+            if ((child & leaf_bit) == 0 && (child <= entry.child || child >= view.nodes.size())) continue;
+            // The farthest lowest, so that the nearest comes off first.
+            std::size_t place = size++;
+            while (place > first && stack[place - 1].t < times[i]) {
+                stack[place] = stack[place - 1];
+                --place;
+            }
+            stack[place] = {times[i], child};
+        }
+        if (size > first) {
+            const std::uint32_t next = stack[size - 1].child;
+            if ((next & leaf_bit) != 0) {
+                prefetch_leaf(view, next & ~leaf_bit);
+            } else {
+                hwy::Prefetch(&view.nodes[next]);
+            }
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace surefoot::internal
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace surefoot::internal {
+
+HWY_EXPORT(SearchRegion);
+HWY_EXPORT(SearchAlong);
+HWY_EXPORT(SearchBoxes);
+
+void search_region(MeshSearch& search) noexcept {
+    HWY_DYNAMIC_DISPATCH(SearchRegion)(search);
+}
+void search_along(MeshSearch& search) noexcept {
+    HWY_DYNAMIC_DISPATCH(SearchAlong)(search);
+}
+void search_boxes(MeshSearch& search) noexcept {
+    HWY_DYNAMIC_DISPATCH(SearchBoxes)(search);
+}
+
+}  // namespace surefoot::internal
+
+#endif

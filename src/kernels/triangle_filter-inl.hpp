@@ -1,0 +1,220 @@
+// The float filter: eight triangles against a moving shape. Included once for each SIMD target.
+//
+// In the scaled space the shape lies in a box of half extent 1 about its centre. A direction n separates shape and
+// triangle at a time x if
+//
+//     gap(n) = n . x - max over the triangle of n . v - max over the shape of -n . k  >  margin,
+//
+// whatever n is and however inexactly it was found; only this sum has to be bounded. With W the largest component of a
+// corner, U that of the motion and 2 that of the shape, its products and sums err by less than 2^-20 |n|_1 (W + U + 2);
+// the corners themselves by less than |rows of to_scaled| (2^-23 F + 2^-21 P), F the size of `from` and P that of the
+// corner relative to it, both in the world. Overflow makes the margin infinite or the gap NaN: both keep the triangle.
+#if defined(SUREFOOT_TRIANGLE_FILTER_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SUREFOOT_TRIANGLE_FILTER_INL_HPP
+#undef SUREFOOT_TRIANGLE_FILTER_INL_HPP
+#else
+#define SUREFOOT_TRIANGLE_FILTER_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include "kernels/mesh_search.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace surefoot::internal {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FilterTag = hn::CappedTag<float, tree_width>;
+using Floats = hn::Vec<FilterTag>;
+
+struct Vec3 {
+    Floats x;
+    Floats y;
+    Floats z;
+};
+
+HWY_INLINE Vec3 sub(const Vec3& a, const Vec3& b) noexcept {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec3 times(const Vec3& a, Floats s) noexcept {
+    return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+HWY_INLINE Vec3 add_times(const Vec3& a, const Vec3& b, Floats s) noexcept {
+    return {hn::MulAdd(b.x, s, a.x), hn::MulAdd(b.y, s, a.y), hn::MulAdd(b.z, s, a.z)};
+}
+HWY_INLINE Floats inner(const Vec3& a, const Vec3& b) noexcept {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE Vec3 outer(const Vec3& a, const Vec3& b) noexcept {
+    return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+            hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Floats size(const Vec3& a) noexcept {
+    return hn::Max(hn::Abs(a.x), hn::Max(hn::Abs(a.y), hn::Abs(a.z)));
+}
+HWY_INLINE Vec3 choose(hn::Mask<FilterTag> first, const Vec3& a, const Vec3& b) noexcept {
+    return {hn::IfThenElse(first, a.x, b.x), hn::IfThenElse(first, a.y, b.y), hn::IfThenElse(first, a.z, b.z)};
+}
+HWY_INLINE Vec3 all_lanes(const float (&v)[3]) noexcept {
+    const FilterTag d;
+    return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
+}
+
+// A point of each triangle near the one that is nearest to the origin; how near does not matter.
+HWY_INLINE Vec3 nearest_to_origin(const Vec3 (&v)[3]) noexcept {
+    const FilterTag d;
+    const auto zero = hn::Zero(d);
+    const auto one = hn::Set(d, 1.0F);
+    Vec3 best{};
+    Floats least = zero;
+    const Vec3 edges[3] = {sub(v[1], v[0]), sub(v[2], v[1]), sub(v[0], v[2])};
+    for (int i = 0; i < 3; ++i) {
+        const auto squared = hn::Max(inner(edges[i], edges[i]), hn::Set(d, 1e-30F));
+        const auto share = hn::Min(one, hn::Max(zero, hn::Div(hn::Neg(inner(v[i], edges[i])), squared)));
+        const Vec3 point = add_times(v[i], edges[i], share);
+        const auto distance = inner(point, point);
+        if (i == 0) {
+            best = point;
+            least = distance;
+            continue;
+        }
+        const auto nearer = hn::Lt(distance, least);
+        best = choose(nearer, point, best);
+        least = hn::Min(distance, least);
+    }
+    // The foot of the origin on the plane, where it lies within all three edges.
+    const Vec3 normal = outer(edges[0], edges[1]);
+    auto inside = hn::Gt(inner(normal, normal), hn::Set(d, 1e-30F));
+    for (int i = 0; i < 3; ++i) inside = hn::And(inside, hn::Le(inner(outer(normal, edges[i]), v[i]), zero));
+    const auto share = hn::Div(inner(normal, v[0]), hn::Max(inner(normal, normal), hn::Set(d, 1e-30F)));
+    return choose(inside, times(normal, share), best);
+}
+
+// The largest -n . k over the scaled shape.
+HWY_INLINE Floats reach(const ShapeFilter& filter, const Vec3& n) noexcept {
+    const FilterTag d;
+    switch (filter.kind) {
+        case FilterKind::ball:
+            return hn::Sqrt(inner(n, n));
+        case FilterKind::box:
+            return hn::Add(hn::Abs(n.x), hn::Add(hn::Abs(n.y), hn::Abs(n.z)));
+        case FilterKind::capsule: {
+            const Vec3 world = {hn::Mul(n.x, hn::Set(d, filter.per_extent[0])),
+                                hn::Mul(n.y, hn::Set(d, filter.per_extent[1])),
+                                hn::Mul(n.z, hn::Set(d, filter.per_extent[2]))};
+            return hn::MulAdd(hn::Abs(world.y), hn::Set(d, filter.half_height),
+                              hn::Mul(hn::Sqrt(inner(world, world)), hn::Set(d, filter.radius)));
+        }
+        case FilterKind::cylinder:
+            return hn::Add(hn::Abs(n.y), hn::Sqrt(hn::MulAdd(n.x, n.x, hn::Mul(n.z, n.z))));
+        case FilterKind::cone: {
+            const auto rim = hn::Sub(hn::Sqrt(hn::MulAdd(n.x, n.x, hn::Mul(n.z, n.z))), hn::Add(n.y, n.y));
+            return hn::Max(hn::Zero(d), rim);
+        }
+        case FilterKind::point:
+            break;
+    }
+    return hn::Zero(d);
+}
+
+// What one direction says.
+struct Gaps {
+    hn::Mask<FilterTag> apart;  // over the whole motion
+    Floats t;                   // before this there is a gap
+};
+
+struct Scaled {
+    Vec3 corner[3];
+    Vec3 motion;
+    Floats margin;  // for each unit of |n|_1
+};
+
+HWY_INLINE Gaps ask(const ShapeFilter& filter, const Scaled& triangle, const Vec3& direction) noexcept {
+    const FilterTag d;
+    const auto zero = hn::Zero(d);
+    const auto norm = hn::Add(hn::Abs(direction.x), hn::Add(hn::Abs(direction.y), hn::Abs(direction.z)));
+    const auto top = hn::Max(inner(direction, triangle.corner[0]),
+                             hn::Max(inner(direction, triangle.corner[1]), inner(direction, triangle.corner[2])));
+    const auto taken = hn::MulAdd(norm, triangle.margin, hn::Add(top, reach(filter, direction)));
+    const auto at_from = hn::Neg(taken);
+    const auto at_to = hn::Sub(inner(direction, triangle.motion), taken);
+    // Below this, products may vanish.
+    const auto sound = hn::Gt(norm, hn::Set(d, 1e-18F));
+    const auto apart_at_from = hn::And(sound, hn::Gt(at_from, zero));
+    const auto apart = hn::And(apart_at_from, hn::Gt(at_to, zero));
+    const auto t = hn::Mul(hn::Div(at_from, hn::Sub(at_from, at_to)), hn::Set(d, 1 - 0x1p-20F));
+    return {apart, hn::IfThenElseZero(apart_at_from, hn::Max(zero, t))};
+}
+
+HWY_INLINE Vec3 scaled(const ShapeFilter& filter, const Vec3& p) noexcept {
+    const FilterTag d;
+    const auto entry = [&](int i, int j) HWY_ATTR { return hn::Set(d, filter.to_scaled[i][j]); };
+    if (filter.is_diagonal) return {hn::Mul(p.x, entry(0, 0)), hn::Mul(p.y, entry(1, 1)), hn::Mul(p.z, entry(2, 2))};
+    const auto row = [&](int i) HWY_ATTR { return inner(p, {entry(i, 0), entry(i, 1), entry(i, 2)}); };
+    return {row(0), row(1), row(2)};
+}
+
+// Which of eight triangles may be met, a bit each, and a time for each before which it is not.
+template <bool long_motion>
+HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const float (&corners)[3][3][tree_width], float from_size,
+                                   float limit, float (&times_out)[tree_width]) noexcept {
+    const FilterTag d;
+    const auto zero = hn::Zero(d);
+    const Vec3 centre = all_lanes(filter.centre);
+    std::uint32_t bits = 0;
+    for (std::size_t lane = 0; lane < tree_width; lane += hn::Lanes(d)) {
+        Scaled triangle{};
+        triangle.motion = all_lanes(filter.motion);
+        auto far = zero;
+        auto far_scaled = zero;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 p{hn::Load(d, corners[i][0] + lane), hn::Load(d, corners[i][1] + lane),
+                         hn::Load(d, corners[i][2] + lane)};
+            triangle.corner[i] = scaled(filter, p);
+            far = hn::Max(far, size(p));
+            far_scaled = hn::Max(far_scaled, size(triangle.corner[i]));
+        }
+        const auto input = hn::Mul(hn::Set(d, filter.row_sum),
+                                   hn::MulAdd(far, hn::Set(d, 0x1p-21F), hn::Set(d, from_size * 0x1p-23F)));
+        triangle.margin =
+            hn::MulAdd(hn::Add(far_scaled, hn::Set(d, filter.motion_size + 2)), hn::Set(d, 0x1p-20F), input);
+
+        // From the nearest point of the triangle: to the shape in the middle of its motion or, where it goes far, to
+        // the line of its motion as seen along it.
+        Vec3 seen[3];
+        if constexpr (long_motion) {
+            const auto squared = hn::Max(inner(triangle.motion, triangle.motion), hn::Set(d, 1e-30F));
+            for (int i = 0; i < 3; ++i) {
+                const Vec3 relative = sub(triangle.corner[i], centre);
+                const auto share = hn::Neg(hn::Div(inner(relative, triangle.motion), squared));
+                seen[i] = add_times(relative, triangle.motion, share);
+            }
+        } else {
+            const Vec3 middle = add_times(centre, triangle.motion, hn::Set(d, 0.5F));
+            for (int i = 0; i < 3; ++i) seen[i] = sub(triangle.corner[i], middle);
+        }
+        const Vec3 nearest = nearest_to_origin(seen);
+        const Gaps aside = ask(filter, triangle, {hn::Neg(nearest.x), hn::Neg(nearest.y), hn::Neg(nearest.z)});
+        // From the triangle's own plane, on the side where the shape begins.
+        Vec3 normal = outer(sub(triangle.corner[1], triangle.corner[0]), sub(triangle.corner[2], triangle.corner[0]));
+        const auto behind = hn::Lt(inner(normal, sub(centre, triangle.corner[0])), zero);
+        normal = choose(behind, {hn::Neg(normal.x), hn::Neg(normal.y), hn::Neg(normal.z)}, normal);
+        const Gaps face = ask(filter, triangle, normal);
+
+        const auto t = hn::Max(aside.t, face.t);
+        const auto out = hn::Or(hn::Or(aside.apart, face.apart), hn::Gt(t, hn::Set(d, limit)));
+        hn::StoreU(t, d, times_out + lane);
+        std::uint8_t mask[8] = {};
+        hn::StoreMaskBits(d, out, mask);
+        bits |= (~mask[0] & ((1U << hn::Lanes(d)) - 1)) << lane;
+    }
+    return bits;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace surefoot::internal
+HWY_AFTER_NAMESPACE();
+
+#endif
