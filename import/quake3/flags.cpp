@@ -13,9 +13,6 @@ struct Flag {
     std::string_view name;
 };
 
-constexpr std::uint32_t surface_slick = 0x2;
-constexpr std::uint32_t surface_ladder = 0x8;
-
 constexpr std::array surface_names{Flag{0x1, "nodamage"},
                                    Flag{surface_slick, "slick"},
                                    Flag{0x4, "sky"},
@@ -23,7 +20,7 @@ constexpr std::array surface_names{Flag{0x1, "nodamage"},
                                    Flag{0x10, "noimpact"},
                                    Flag{0x20, "nomarks"},
                                    Flag{0x40, "flesh"},
-                                   Flag{0x80, "nodraw"},
+                                   Flag{surface_nodraw, "nodraw"},
                                    Flag{0x100, "hint"},
                                    Flag{0x200, "skip"},
                                    Flag{0x400, "nolightmap"},

@@ -12,6 +12,13 @@ enum Contents : std::uint32_t {
     contents_player_clip = 0x10000,
 };
 
+/// Bits of a texture's surface flags that decide here.
+enum Surface : std::uint32_t {
+    surface_slick = 0x2,
+    surface_ladder = 0x8,
+    surface_nodraw = 0x80,
+};
+
 /// A player is stopped by it. The game asks the contents alone; the surface flag "nonsolid" only tells its compiler.
 [[nodiscard]] constexpr bool stops_players(std::uint32_t content_flags) noexcept {
     return (content_flags & (contents_solid | contents_player_clip)) != 0;

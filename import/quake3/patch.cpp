@@ -182,12 +182,12 @@ std::vector<std::uint32_t> PatchCutter::pieces(std::uint32_t first_strip, std::s
     return result;
 }
 
-std::uint64_t PatchCutter::triangle_count(std::size_t index, const Patch& patch) const {
+std::uint64_t PatchCutter::triangle_count(std::size_t index, std::uint32_t width, std::uint32_t height) const {
     const auto total = [](const std::vector<std::uint32_t>& all) {
         return std::accumulate(all.begin(), all.end(), std::uint64_t{0});
     };
     const std::uint32_t first = first_strips_[index];
-    return 2 * total(pieces(first, patch.width / 2)) * total(pieces(first + patch.width / 2, patch.height / 2));
+    return 2 * total(pieces(first, width / 2)) * total(pieces(first + width / 2, height / 2));
 }
 
 PatchTriangles PatchCutter::cut(std::size_t index, const Patch& patch) const {

@@ -42,8 +42,8 @@ public:
     /// Decides the number of pieces of every curve, after the last `add`.
     void settle();
 
-    /// How many triangles `cut` makes of the patch that was added as number `index`, at most.
-    [[nodiscard]] std::uint64_t triangle_count(std::size_t index, const Patch& patch) const;
+    /// How many triangles `cut` makes of the patch that was added as number `index`, at most, once all is settled.
+    [[nodiscard]] std::uint64_t triangle_count(std::size_t index, std::uint32_t width, std::uint32_t height) const;
 
     /// Requires: `patch` is the one that was added as number `index`, and settle() was called.
     [[nodiscard]] PatchTriangles cut(std::size_t index, const Patch& patch) const;

@@ -126,6 +126,13 @@ private:
             }
         }
         cutter_.settle();
+        std::uint64_t triangles = 0;
+        for (std::size_t i = 0; i < patches_.size(); ++i) {
+            const Face& face = map_.faces[patches_[i].face];
+            triangles += cutter_.triangle_count(i, face.width, face.height);
+            if (triangles > max_patch_triangles)
+                return over_limit(patches_[i].face, "the patches would become more than 16 million triangles");
+        }
         return std::nullopt;
     }
 
@@ -163,7 +170,7 @@ private:
         for (; next_patch_ < patches_.size() && patches_[next_patch_].placed == placed; ++next_patch_) {
             if (auto error = add_patch_triangles(next_patch_)) return error;
         }
-        begin_part(placed, draws() ? "clip brushes" : "brushes");
+        begin_part(placed, draws() ? "invisible brushes" : "brushes");
         for (std::uint32_t n = model.brushes.first; n < model.brushes.first + model.brushes.count; ++n) {
             if (auto error = add_brush(placed, n)) return error;
         }
@@ -215,9 +222,6 @@ private:
         const std::uint32_t number = patches_[index].face;
         const Face& face = map_.faces[number];
         const Patch patch = patch_of(face);
-        patch_triangles_ += cutter_.triangle_count(index, patch);
-        if (patch_triangles_ > max_patch_triangles)
-            return over_limit(number, "the patches would become more than 16 million triangles");
         const PatchTriangles cut = cutter_.cut(index, patch);
         const auto first = static_cast<std::uint32_t>(builder_.vertex_count());
         for (const dvec3& point : cut.points) {
@@ -233,11 +237,25 @@ private:
         return pay(64 * cut.points.size());
     }
 
+    /// A side that stops players and is never seen, so that no face stands for it.
+    [[nodiscard]] bool is_invisible(const Brush& brush, std::uint64_t side) const {
+        if ((map_.textures[brush.texture].content_flags & contents_player_clip) != 0) return true;
+        return (map_.textures[map_.brush_sides[brush.sides.first + side].texture].surface_flags & surface_nodraw) != 0;
+    }
+
+    [[nodiscard]] bool has_invisible_side(const Brush& brush) const {
+        for (std::uint64_t side = 0; side < brush.sides.count; ++side) {
+            if (is_invisible(brush, side)) return true;
+        }
+        return false;
+    }
+
     Result add_brush(std::size_t placed, std::uint32_t number) {
         const Brush& brush = map_.brushes[number];
         const std::uint32_t contents = map_.textures[brush.texture].content_flags;
         if (auto error = pay(1)) return error;
-        if (draws() ? (contents & contents_player_clip) == 0 : !stops_players(contents)) return std::nullopt;
+        if (!stops_players(contents)) return std::nullopt;
+        if (draws() && !has_invisible_side(brush)) return std::nullopt;
 
         planes_.clear();
         const std::uint64_t sides = brush.sides.count;
@@ -269,8 +287,10 @@ private:
         for (const dvec3& corner : shape.corners) {
             if (auto error = add_vertex(corner + placed_[placed].origin, Lump::brushes, number)) return error;
         }
+        const Brush& brush = map_.brushes[number];
         for (const BrushPolygon& polygon : shape.polygons) {
-            set_surface(map_.brush_sides[map_.brushes[number].sides.first + polygon.side].texture);
+            if (draws() && !is_invisible(brush, polygon.side)) continue;
+            set_surface(map_.brush_sides[brush.sides.first + polygon.side].texture);
             corners_.clear();
             for (const std::uint32_t corner : polygon.corners) corners_.push_back(first + corner);
             if (auto error = builder_.add_face(corners_)) return error;
@@ -288,7 +308,6 @@ private:
     std::vector<Placed> placed_;
     std::vector<PlacedPatch> patches_;
     std::size_t next_patch_ = 0;
-    std::uint64_t patch_triangles_ = 0;
     std::uint64_t work_ = 0;
     std::vector<std::uint32_t> corners_;  ///< scratch
     std::vector<Plane> planes_;           ///< scratch
