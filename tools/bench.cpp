@@ -1,7 +1,10 @@
 // surefoot bench: how fast, next to what, and was there anything to hit?
+#include <array>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <functional>
+#include <map>
 
 #include "command.hpp"
 #include "level.hpp"
@@ -29,12 +32,24 @@ bench::Scene make_scene(const std::string& name, bool is_small) {
     return is_small ? bench::make_soup(10'000) : bench::make_soup();
 }
 
+/// The triangles of a level as a scene, equal corners made one again.
 bench::Scene scene_of_level(const std::string& file) {
-    Expected<ImportedLevel> level = import_level(file);
-    if (!level) throw Failure{ExitCode::file, level.error().text};
-    return {.name = std::filesystem::path(file).stem().string(),
-            .vertices = std::move(level->vertices),
-            .indices = std::move(level->indices)};
+    LevelOptions options;
+    options.file = file;
+    const Level level = load_level(options);
+    bench::Scene scene{.name = std::filesystem::path(file).stem().string()};
+    std::map<std::array<float, 3>, std::uint32_t> known;
+    for (std::uint32_t id = 0; id < level.mesh.triangle_count(); ++id) {
+        const Triangle triangle = level.mesh.triangle(id);
+        for (const dvec3& corner : {triangle.a, triangle.b, triangle.c}) {
+            const vec3 vertex(corner);
+            const auto next = static_cast<std::uint32_t>(scene.vertices.size());
+            const auto [place, is_new] = known.try_emplace({vertex.x, vertex.y, vertex.z}, next);
+            if (is_new) scene.vertices.push_back(vertex);
+            scene.indices.push_back(place->second);
+        }
+    }
+    return scene;
 }
 
 /// What machine and compiler the numbers belong to.
@@ -172,9 +187,11 @@ void add_bench(CLI::App& program, Run& run) {
     command->add_option("LEVEL", given->levels, "Levels of yours, instead of the scenes")->type_name("");
     command->add_option("--scene", given->scenes, "terrain, city or soup; may be given again (default: all three)")
         ->type_name("NAME")
+        ->allow_extra_args(false)
         ->check(CLI::IsMember(scene_names));
     command->add_option("--only", given->suite.only, "Only questions with this in their names; may be given again")
-        ->type_name("TEXT");
+        ->type_name("TEXT")
+        ->allow_extra_args(false);
     command->add_option("--rounds", given->suite.rounds, "Batches of each question (default: 101)")
         ->type_name("N")
         ->check(CLI::Range(1, 1'000'000));
