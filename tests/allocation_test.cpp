@@ -76,6 +76,51 @@ TEST(Allocation, building_a_mesh_allocates_and_asking_it_does_not) {
     EXPECT_GT(hits, 100u);
 }
 
+TEST(Allocation, bodies_allocate_when_they_are_added_and_then_no_more) {
+    golden::Queries queries(4);
+    std::vector<surefoot::vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 90; ++i) {
+        vertices.emplace_back(queries.position());
+        indices.push_back(i);
+    }
+    const auto mesh = surefoot::Mesh::build({.vertices = vertices, .indices = indices});
+    ASSERT_TRUE(mesh);
+    surefoot::World world;
+    std::vector<surefoot::BodyHandle> bodies;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+        const auto added = world.add(*mesh, {.pose = {queries.position(), queries.orientation()}, .body = i});
+        ASSERT_TRUE(added);
+        bodies.push_back(*added);
+    }
+    std::array<surefoot::BodyPose, 30> saved;
+    std::array<surefoot::Overlap, 4> found;
+    std::array<surefoot::SourceTriangle, 4> near;
+    std::size_t hits = 0;
+    bool moved = true;
+
+    const std::size_t before = allocations;
+    world.save_poses(saved);
+    for (int i = 0; i < 300; ++i) {
+        const surefoot::BodyHandle body = bodies[static_cast<std::size_t>(i) % bodies.size()];
+        moved = moved && world.move(body, {queries.position(), queries.orientation()});
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % 6);
+        const surefoot::Motion motion = queries.motion();
+        hits += world.sweep(volume, motion, {.turn_gap = 0.1}).has_value();
+        hits += world.sweep_any(volume, motion, {.turn_gap = 0.1});
+        hits += world.ray(motion).has_value();
+        hits += world.overlap(volume, motion.from, found);
+        hits += world.nearest(motion.from, 1).has_value();
+        hits += world.gather({motion.from, motion.from}, near);
+        if (i % 10 == 0) world.begin_tick();
+    }
+    const bool restored = world.restore_poses(saved);
+    const bool removed = world.remove(bodies[3]);
+    EXPECT_EQ(allocations, before);
+    EXPECT_TRUE(moved && restored && removed);
+    EXPECT_GT(hits, 300u);
+}
+
 TEST(Allocation, no_query_against_one_triangle_or_shape_allocates) {
     golden::Queries queries(2);
     const std::size_t before = allocations;

@@ -25,7 +25,7 @@ extern "C" void __asan_unpoison_memory_region(void const volatile*, std::size_t)
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
-namespace internal {
+namespace slab_internal {
 
 /// Tells AddressSanitizer, where it runs, that nobody may touch these bytes until `unpoison`.
 inline void poison([[maybe_unused]] const void* bytes, [[maybe_unused]] std::size_t count) noexcept {
@@ -48,7 +48,7 @@ inline void unpoison([[maybe_unused]] const void* bytes, [[maybe_unused]] std::s
 #endif
 }
 
-}  // namespace internal
+}  // namespace slab_internal
 
 /// Names one object in a `Slab<T>`. Plain data: copy it, store it, send it. The default handle names nothing.
 /// It belongs to the slab that gave it; another slab of the same type may have an object under the same numbers.
@@ -110,7 +110,7 @@ public:
         static_assert(std::is_nothrow_destructible_v<T>, "Slab<T> needs a T whose destructor does not throw");
         clear();
         for (std::uint32_t chunk = 0; chunk < chunk_count_; ++chunk) {
-            internal::unpoison(chunks_[chunk], object_bytes(chunk_size(chunk)));
+            slab_internal::unpoison(chunks_[chunk], object_bytes(chunk_size(chunk)));
             ::operator delete(static_cast<void*>(chunks_[chunk]), chunk_alignment);
         }
     }
@@ -147,7 +147,7 @@ public:
         if (index == no_slot) return {};
         Claim claim{this, index};
         T* const place = storage(index);
-        internal::unpoison(place, sizeof(T));
+        slab_internal::unpoison(place, sizeof(T));
         if constexpr (std::is_constructible_v<T, Arguments...>) {
             ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
         } else {
@@ -256,7 +256,7 @@ private:
         if (slots > (~std::size_t{0} - alignof(Tag)) / (sizeof(T) + sizeof(Tag))) return false;
         void* const bytes = ::operator new(tag_offset(slots) + slots * sizeof(Tag), chunk_alignment, std::nothrow);
         if (bytes == nullptr) return false;
-        internal::poison(bytes, object_bytes(slots));
+        slab_internal::poison(bytes, object_bytes(slots));
         chunks_[chunk_count_++] = static_cast<std::byte*>(bytes);
         return true;
     }
@@ -283,7 +283,7 @@ private:
     }
 
     void give_slot_back(std::uint32_t index) noexcept {
-        internal::poison(storage(index), sizeof(T));
+        slab_internal::poison(storage(index), sizeof(T));
         tag(index).next_free = std::exchange(free_, index);
     }
 
@@ -292,7 +292,7 @@ private:
         --size_;
         object(index)->~T();
         if (last_generation) {
-            internal::poison(storage(index), sizeof(T));
+            slab_internal::poison(storage(index), sizeof(T));
         } else {
             give_slot_back(index);
         }

@@ -52,6 +52,11 @@ public:
         return room_.first(count_ < room_.size() ? count_ : room_.size());
     }
 
+    /// The same, to be changed by whoever owns the trace.
+    [[nodiscard]] std::span<TraceRecord> records() noexcept {
+        return room_.first(count_ < room_.size() ? count_ : room_.size());
+    }
+
     /// How many records found no room.
     [[nodiscard]] std::size_t dropped() const noexcept { return count_ < room_.size() ? 0 : count_ - room_.size(); }
 
