@@ -88,8 +88,8 @@ TEST(Quake3Patch, a_flat_patch_is_two_triangles_that_face_the_front) {
     const PatchTriangles cut = cut_alone(height_patch({}), 0.01);
     ASSERT_EQ(cut.triangles.size(), 2u);
     for (const auto& [a, b, c] : cut.triangles) {
-        // Rows run along +y and columns along +x; the front of such a patch is below.
-        EXPECT_LT(glm::cross(cut.points[b] - cut.points[a], cut.points[c] - cut.points[a]).z, 0);
+        // Rows run along +y and columns along +x; the front of such a patch is above.
+        EXPECT_GT(glm::cross(cut.points[b] - cut.points[a], cut.points[c] - cut.points[a]).z, 0);
     }
 }
 

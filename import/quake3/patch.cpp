@@ -220,14 +220,14 @@ PatchTriangles PatchCutter::cut(std::size_t index, const Patch& patch) const {
             const std::size_t b = a + 1;
             const std::size_t c = a + columns.size();
             const std::size_t d = c + 1;
-            // The front is where rows go down when columns go right. The shorter diagonal makes the better triangles.
+            // The front is where columns go right and rows go up. The shorter diagonal makes the better triangles.
             if (squared_distance(result.points[a], result.points[d]) <=
                 squared_distance(result.points[b], result.points[c])) {
-                add(a, c, d);
-                add(a, d, b);
+                add(a, d, c);
+                add(a, b, d);
             } else {
-                add(a, c, b);
-                add(b, c, d);
+                add(a, b, c);
+                add(b, d, c);
             }
         }
     }
