@@ -125,7 +125,14 @@ Route find_route(const Level& level, const Walker& walker, std::span<const dvec3
         const dvec3 ground = spawns.empty() ? waypoints.front() : spawns.front();
         starts.push_back(ground + dvec3(0, walker.half_size.y, 0));
     } else {
-        starts = standing_places(level.mesh, walker);
+        // A little above the floor, for a start in touch is no place to stand.
+        constexpr std::size_t most_starts = 8;
+        for (const dvec3& spawn : markers_of(level, "spawn")) {
+            const dvec3 start = spawn + dvec3(0, 1.01 * walker.half_size.y, 0);
+            if (starts.size() < most_starts && level.mesh.overlap(walker.volume, start, {}) == 0)
+                starts.push_back(start);
+        }
+        if (starts.empty()) starts = standing_places(level.mesh, walker);
     }
     if (starts.empty())
         throw Failure{
