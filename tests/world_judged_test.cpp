@@ -49,7 +49,7 @@ TEST(WorldJudged, a_turned_body_is_never_missed_and_never_hit_late) {
     Whole whole(111);
     int hits = 0;
     int judged = 0;
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 24000; ++i) {
         judge::Query query;
         query.kind = static_cast<judge::Kind>(i % judge::kind_count);
         query.size = {whole.size(), whole.size(), whole.size()};
@@ -96,8 +96,8 @@ TEST(WorldJudged, a_turned_body_is_never_missed_and_never_hit_late) {
             << judge::name_of(judgement.verdict) << ": " << judgement.why << ", query " << i << " of a "
             << judge::name_of(query.kind);
     }
-    EXPECT_GT(judged, 4500);
-    EXPECT_GT(hits, 1500);
+    EXPECT_GT(judged, 18000);
+    EXPECT_GT(hits, 1800);
 }
 
 }  // namespace
