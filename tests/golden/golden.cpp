@@ -210,6 +210,42 @@ void mesh(Results& results) {
     record(results, "mesh", hash);
 }
 
+// Standing, moving and turning bodies. Their poses are drawn, never computed here.
+void world(Results& results) {
+    Queries queries(700);
+    std::vector<surefoot::vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 60; ++i) {
+        vertices.emplace_back(queries.position());
+        indices.push_back(i);
+    }
+    const auto built = surefoot::Mesh::build({.vertices = vertices, .indices = indices});
+    surefoot::World world;
+    std::vector<surefoot::BodyHandle> bodies;
+    for (std::uint32_t i = 0; built && i < 12; ++i) {
+        const surefoot::Pose pose =
+            i < 4 ? surefoot::Pose{} : surefoot::Pose{queries.position(), queries.orientation()};
+        const auto added = world.add(*built, {.pose = pose, .body = 3 * i});
+        if (added) bodies.push_back(*added);
+    }
+    Hash hash;
+    for (std::size_t i = 0; !bodies.empty() && i < queries_per_concept / 4; ++i) {
+        const surefoot::Volume volume = queries.volume(i % shape_names.size());
+        const surefoot::Motion motion = queries.motion();
+        const surefoot::WorldQuery query{.one_sided = queries.coin(), .turn_gap = 0.0625};
+        hash << world.sweep(volume, motion, query) << world.ray(motion, query);
+        std::array<surefoot::Overlap, 8> found;
+        const std::size_t count = world.overlap(volume, motion.from, found, query);
+        hash << std::uint64_t{count};
+        for (std::size_t k = 0; k < count && k < found.size(); ++k) hash << found[k];
+        if (i % 16 == 0) world.begin_tick();
+        const surefoot::Pose next{queries.position(), queries.orientation()};
+        hash << std::uint64_t{world.move(bodies[4 + i % (bodies.size() - 4)], next)};
+        hash << world.carried(bodies[i % bodies.size()], motion.from);
+    }
+    record(results, "world", hash);
+}
+
 Results ask_everything() {
     Results results;
     sweep_each_shape(results);
@@ -219,6 +255,7 @@ Results ask_everything() {
     march(results);
     pair(results);
     mesh(results);
+    world(results);
     return results;
 }
 
