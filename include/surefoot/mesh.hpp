@@ -1,12 +1,16 @@
 /// A mesh: immutable triangles and a tree over them, ready for queries from any number of threads.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include <surefoot/bounds.hpp>
 #include <surefoot/error.hpp>
+#include <surefoot/file.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/march.hpp>
 #include <surefoot/math.hpp>
@@ -57,6 +61,33 @@ public:
     /// The same mesh with these triangles hidden (or shown again): queries do not meet what is hidden. The triangles
     /// are shared with this mesh, a bit a triangle is not. Fails with `invalid` if there is no such triangle.
     [[nodiscard]] Expected<Mesh> with_hidden(std::span<const std::uint32_t> ids, bool hidden = true) const;
+
+    /// Maps a cooked file (`surefoot cook IN -o OUT.surefoot`) and uses it where it lies: in under a millisecond,
+    /// whatever its size, with one copy in memory for all processes. Requires: nobody cuts the file short or writes
+    /// into it as long as the mesh lives; replacing it as `write` does is fine. Otherwise `read` it.
+    /// Fails with `not_found`; `unreadable`, with the byte, for what is no such file or is damaged, as far as `check`
+    /// looks; `unsupported` for a file of another version, which has to be cooked again.
+    [[nodiscard]] static Expected<Mesh> open(const std::string& path, Check check = Check::header);
+
+    /// The same with memory of its own, for files that somebody may cut or change. Fails with `out_of_memory` too.
+    [[nodiscard]] static Expected<Mesh> read(const std::string& path, Check check = Check::header);
+
+    /// The same from the bytes of a file, which are copied.
+    [[nodiscard]] static Expected<Mesh> read(std::span<const std::byte> bytes, Check check = Check::header);
+
+    /// Writes the mesh, the sections that it carries, and more of them; one of the same owner and name is replaced.
+    /// Guarantees: whoever looks finds the whole old file or the whole new one, even after a full disk, a kill, or with
+    /// two writers. Fails with `write_failed`, or with `invalid` for a section that cannot be called so.
+    [[nodiscard]] Expected<void> write(const std::string& path, std::span<const Section> extra = {}) const;
+
+    /// All sections of the file that this mesh was opened or read from, in its order; none for one that was built.
+    [[nodiscard]] std::span<const Section> sections() const noexcept;
+
+    /// One of them, if it is there. Its bytes are good as long as this mesh or a copy lives.
+    [[nodiscard]] std::optional<Section> section(std::string_view owner, std::string_view name) const noexcept;
+
+    /// `CookOptions::made_from` of the file; 0 for a mesh that was built.
+    [[nodiscard]] std::uint64_t made_from() const noexcept;
 
     Mesh(const Mesh& other) noexcept;
     Mesh(Mesh&& other) noexcept;
@@ -111,6 +142,8 @@ public:
 private:
     struct Data;
     explicit Mesh(const Data* data) noexcept;
+    template <typename Bytes>
+    [[nodiscard]] static Expected<Mesh> over(Bytes&& bytes, const std::string& file, Check check);
     const Data* data_;  // counts its owners; null once moved from
 };
 

@@ -3,12 +3,15 @@
 
 #include <surefoot/barycentrics.hpp>
 #include <surefoot/bounds.hpp>
+#include <surefoot/cook.hpp>
 #include <surefoot/error.hpp>
+#include <surefoot/file.hpp>
 #include <surefoot/height_field.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/march.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/mesh.hpp>
+#include <surefoot/notes.hpp>
 #include <surefoot/overlap.hpp>
 #include <surefoot/pair.hpp>
 #include <surefoot/pose.hpp>

@@ -3,11 +3,14 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <surefoot/mesh.hpp>
 
+#include "file/container.hpp"
+#include "platform/bytes.hpp"
 #include "tree/view.hpp"
 #include "tree/wide_tree.hpp"
 
@@ -35,6 +38,26 @@ struct Mesh::Data {
         return data;
     }
 
+    /// A mesh in a file, mapped or read.
+    static Data* over(internal::MappedFile&& mapped, internal::Container&& container,
+                      const internal::MeshView& within) {
+        Data* const data = over(std::move(container), within);
+        data->mapped_.emplace(std::move(mapped));
+        return data;
+    }
+    static Data* over(internal::OwnedBytes&& bytes, internal::Container&& container,
+                      const internal::MeshView& within) {
+        Data* const data = over(std::move(container), within);
+        data->bytes_ = std::move(bytes);
+        return data;
+    }
+
+    /// The file that the arrays lie in; null for a mesh that was built in this process.
+    [[nodiscard]] const internal::Container* container() const noexcept {
+        const Data& owner = owner_ != nullptr ? *owner_ : *this;
+        return owner.container_ ? &*owner.container_ : nullptr;
+    }
+
     /// Another view of the same arrays, which live as long as either.
     static Data* sharing(const Data& other) {
         const Data* const owner = other.owner_ != nullptr ? other.owner_ : &other;
@@ -58,6 +81,16 @@ struct Mesh::Data {
     }
 
 private:
+    static Data* over(internal::Container&& container, const internal::MeshView& within) {
+        auto* const data = new Data;
+        data->container_.emplace(std::move(container));
+        data->view = within;
+        return data;
+    }
+
+    std::optional<internal::MappedFile> mapped_;
+    internal::OwnedBytes bytes_;
+    std::optional<internal::Container> container_;
     internal::WideTree tree_;
     std::vector<std::uint32_t> surfaces_;
     std::vector<std::uint64_t> hidden_;

@@ -54,10 +54,17 @@ EdgeKind kind_of(const Vec& a, const Vec& b, const Vec& c, const Vec& o, double 
     return height > 0 ? EdgeKind::concave : EdgeKind::convex;
 }
 
+const Vec& widened(const Vec& v) noexcept {
+    return v;
+}
+Vec widened(const vec3& v) noexcept {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 template <typename Vertex>
 std::vector<std::uint8_t> kinds_of(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
                                    const EdgeMatches& matches, double tolerance) {
-    const auto corner = [&](std::uint32_t side) { return to_vec(dvec3(vertices[indices[side]])); };
+    const auto corner = [&](std::uint32_t side) { return Vec(widened(vertices[indices[side]])); };
     std::vector<std::uint8_t> kinds(indices.size() / 3);
     for (std::uint32_t id = 0; id < kinds.size(); ++id) {
         const Vec corners[3] = {corner(3 * id), corner(3 * id + 1), corner(3 * id + 2)};
@@ -114,7 +121,7 @@ std::vector<std::uint8_t> edge_kinds(std::span<const vec3> vertices, std::span<c
                     tolerance);
 }
 
-std::vector<std::uint8_t> edge_kinds(std::span<const dvec3> vertices, std::span<const std::uint32_t> indices,
+std::vector<std::uint8_t> edge_kinds(std::span<const Vec> vertices, std::span<const std::uint32_t> indices,
                                      const EdgeMatches& matches, double tolerance) {
     return kinds_of(vertices, indices, matches, tolerance);
 }

@@ -8,6 +8,8 @@
 #include <surefoot/math.hpp>
 #include <surefoot/query.hpp>
 
+#include "vec.hpp"
+
 namespace surefoot::internal {
 
 /// The sides of triangles are numbered 3 * triangle + k, with k = 0, 1, 2 for ab, bc, ca.
@@ -34,7 +36,7 @@ struct EdgeMatches {
                                                    std::span<const std::uint32_t> indices, double tolerance = 0);
 
 /// The same for edges that are matched already.
-[[nodiscard]] std::vector<std::uint8_t> edge_kinds(std::span<const dvec3> vertices,
+[[nodiscard]] std::vector<std::uint8_t> edge_kinds(std::span<const Vec> vertices,
                                                    std::span<const std::uint32_t> indices, const EdgeMatches& matches,
                                                    double tolerance);
 
