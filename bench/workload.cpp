@@ -1,5 +1,6 @@
 #include "workload.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <stdexcept>
@@ -22,6 +23,16 @@ auto timed(double& seconds, const Make& make) {
     auto made = make();
     seconds = wall_seconds() - begin;
     return made;
+}
+
+/// Builds four times: the first pays for fresh memory, of the others the one in the middle is told.
+Mesh timed_build(double& seconds, const Scene& scene) {
+    Mesh mesh = build_or_throw(scene);
+    std::array<double, 3> times{};
+    for (double& time : times) mesh = timed(time, [&] { return build_or_throw(scene); });
+    std::sort(times.begin(), times.end());
+    seconds = times[1];
+    return mesh;
 }
 
 void count(Tally& tally, const std::optional<Hit>& hit) {
@@ -120,7 +131,7 @@ bool is_built_in(Solver solver) {
 
 Stage::Stage(Scene&& made)
     : scene(std::move(made)),
-      mesh(timed(build_seconds, [&] { return build_or_throw(scene); })),
+      mesh(timed_build(build_seconds, scene)),
       embree(timed(embree_build_seconds, [&] { return make_embree(scene); })),
       bullet(timed(bullet_build_seconds, [&] { return make_bullet(scene); })) {}
 

@@ -1,4 +1,5 @@
 // surefoot bench: how fast, next to what, and was there anything to hit?
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
@@ -83,13 +84,20 @@ std::string seconds_per_million(double seconds, std::size_t triangles) {
     return fmt::format("{} ({:.2f} s a million)", duration(seconds), 1e6 * seconds / static_cast<double>(triangles));
 }
 
+double bytes_a_triangle(const bench::Stage& stage, std::size_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(std::max<std::size_t>(stage.scene.triangle_count(), 1));
+}
+
 std::string text_of(const bench::Stage& stage, const std::vector<bench::Row>& rows) {
     const std::size_t triangles = stage.scene.triangle_count();
     std::string out = fmt::format("\n{}: {} triangles, built in {}", stage.scene.name, grouped(triangles),
                                   seconds_per_million(stage.build_seconds, triangles));
     if (stage.embree) out += fmt::format("; Embree {}", duration(stage.embree_build_seconds));
     if (stage.bullet) out += fmt::format("; Bullet {}", duration(stage.bullet_build_seconds));
-    out += '\n';
+    const MeshMemory memory = stage.mesh.memory();
+    out += fmt::format("\n{:.1f} bytes a triangle that queries read ({:.1f} tree, {:.1f} leaves), {:.1f} in all\n",
+                       bytes_a_triangle(stage, memory.nodes + memory.leaves), bytes_a_triangle(stage, memory.nodes),
+                       bytes_a_triangle(stage, memory.leaves), bytes_a_triangle(stage, memory.total()));
     Table table({"question", "of", "order", "median", "x E", "p10", "p90", "hits", "mean t", "found", "nodes", "tested",
                  "checked"});
     std::size_t wrong = 0;
@@ -124,6 +132,9 @@ std::string json_of(const bench::Stage& stage, const std::vector<bench::Row>& ro
     add("build_seconds", stage.build_seconds);
     if (stage.embree) add("embree_build_seconds", stage.embree_build_seconds);
     if (stage.bullet) add("bullet_build_seconds", stage.bullet_build_seconds);
+    const MeshMemory memory = stage.mesh.memory();
+    add("bytes_per_triangle", bytes_a_triangle(stage, memory.nodes + memory.leaves));
+    add("all_bytes_per_triangle", bytes_a_triangle(stage, memory.total()));
     out += R"(,"rows":[)";
     for (const bench::Row& row : rows) {
         if (out.back() != '[') out += ',';
