@@ -147,39 +147,30 @@ bool PatchCutter::add(const Patch& patch) {
     return true;
 }
 
-std::uint32_t PatchCutter::root(std::uint32_t strip) const {
-    while (parents_[strip] != strip) strip = parents_[strip];
-    return strip;
-}
-
 void PatchCutter::settle() {
-    parents_.resize(needed_.size());
-    std::iota(parents_.begin(), parents_.end(), 0u);
+    // Strips that share a curve, directly or through others, are a set, which the first of them stands for: the way to
+    // it leads through parents, each an earlier strip.
+    std::vector<std::uint32_t> parents(needed_.size());
+    std::iota(parents.begin(), parents.end(), 0u);
+    const auto find = [&](std::uint32_t strip) {
+        // Halving the way each time it is walked keeps it short.
+        while (parents[strip] != strip) strip = parents[strip] = parents[parents[strip]];
+        return strip;
+    };
     std::ranges::sort(curves_, {}, [](const Curve& curve) { return std::pair(curve.bits, curve.strip); });
     for (std::size_t i = 1; i < curves_.size(); ++i) {
         if (curves_[i].bits != curves_[i - 1].bits) continue;
-        std::uint32_t a = curves_[i - 1].strip;
-        std::uint32_t b = curves_[i].strip;
-        // Halving the way to the root each time it is walked keeps it short.
-        const auto find = [&](std::uint32_t strip) {
-            while (parents_[strip] != strip) strip = parents_[strip] = parents_[parents_[strip]];
-            return strip;
-        };
-        a = find(a);
-        b = find(b);
-        if (a == b) continue;
-        parents_[std::max(a, b)] = std::min(a, b);
-        needed_[std::min(a, b)] = std::max(needed_[a], needed_[b]);
+        const auto [first, second] = std::minmax({find(curves_[i - 1].strip), find(curves_[i].strip)});
+        parents[second] = first;
+        needed_[first] = std::max(needed_[first], needed_[second]);
     }
+    for (std::uint32_t strip = 0; strip < needed_.size(); ++strip) needed_[strip] = needed_[find(strip)];
     curves_.clear();
 }
 
 std::vector<std::uint32_t> PatchCutter::pieces(std::uint32_t first_strip, std::size_t count) const {
-    std::vector<std::uint32_t> result;
-    result.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        result.push_back(needed_[root(first_strip + static_cast<std::uint32_t>(i))]);
-    return result;
+    const auto first = needed_.begin() + first_strip;
+    return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
 std::uint64_t PatchCutter::triangle_count(std::size_t index, std::uint32_t width, std::uint32_t height) const {

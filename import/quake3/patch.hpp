@@ -58,14 +58,12 @@ private:
     };
 
     void add_curve(const vec3& a, const vec3& b, const vec3& c, std::uint32_t strip);
-    [[nodiscard]] std::uint32_t root(std::uint32_t strip) const;
     [[nodiscard]] std::vector<std::uint32_t> pieces(std::uint32_t first_strip, std::size_t count) const;
 
     double tolerance_;
     // A strip is a row or a column of 3 x 3s, which has one number of pieces all along.
     std::vector<std::uint32_t> first_strips_;  ///< of each patch: its columns, then its rows
-    std::vector<std::uint32_t> needed_;        ///< of each strip
-    std::vector<std::uint32_t> parents_;       ///< of each strip: the way to the one that decides
+    std::vector<std::uint32_t> needed_;        ///< of each strip: how many pieces
     std::vector<Curve> curves_;
 };
 
