@@ -24,31 +24,49 @@
 #include "ieee_guard.hpp"
 #include "limits.hpp"
 #include "query/answers.hpp"
+#include "query/apart.hpp"
 #include "query/moving_reach.hpp"
 #include "query/reach.hpp"
 #include "sweep/sweep.hpp"
 
 namespace surefoot::internal {
 
-template <typename Finder, typename Reach, typename Ask, typename Limit>
-void ask_all(const Finder& finder, const Reach& reach, const QueryOptions& options, const Ask& ask,
-             const Limit& limit) noexcept {
-    const auto ask_filtered = [&](const SourceTriangle& found) noexcept {
+/// Hands out every triangle that may matter and that the filter lets pass. `is_apart(triangle, limit)` may throw out
+/// more of them; brute force does not ask it.
+template <typename Finder, typename Reach, typename Ask, typename Limit, typename IsApart>
+void ask_all(const Finder& finder, const Reach& reach, const QueryOptions& options, const Ask& ask, const Limit& limit,
+             const IsApart& is_apart) noexcept {
+    const auto pass_on = [&](const SourceTriangle& found) noexcept {
         if (options.filter && !options.filter(found.id, found.surface)) return;
         if (options.work != nullptr) ++options.work->triangles;
         ask(found);
     };
     if (options.search == Search::brute_force) {
-        finder.find_all(ask_filtered);
+        finder.find_all(pass_on);
     } else {
-        finder.find(reach, ask_filtered, limit, options.work);
+        const auto pass_on_near = [&](const SourceTriangle& found) noexcept {
+            const bool is_triangle = Finder::trusted || is_valid_triangle(found.triangle);
+            if (!is_triangle || !is_apart(found.triangle, limit())) pass_on(found);
+        };
+        finder.find(reach, pass_on_near, limit, options.work);
     }
 }
-
-template <typename Finder>
-MovingReach reach_of(const Finder& finder, const Volume& volume, const Motion& motion) noexcept {
-    return {motion, extent_of(volume, larger(magnitude_of(motion), magnitude_of(finder.box())))};
+template <typename Finder, typename Reach, typename Ask, typename Limit>
+void ask_all(const Finder& finder, const Reach& reach, const QueryOptions& options, const Ask& ask,
+             const Limit& limit) noexcept {
+    ask_all(finder, reach, options, ask, limit, [](const Triangle&, double) noexcept { return false; });
 }
+
+/// For a volume: all triangles that it meets on its way.
+template <typename Finder, typename Ask, typename Limit>
+void ask_all_of(const Finder& finder, const Volume& volume, const Motion& motion, const QueryOptions& options,
+                const Ask& ask, const Limit& limit) noexcept {
+    const double magnitude = larger(magnitude_of(motion), magnitude_of(finder.box()));
+    const Box3 extent = extent_of(volume, magnitude);
+    const ApartTest is_apart(volume, motion, extent, margin_of(volume, magnitude));
+    ask_all(finder, MovingReach(motion, extent), options, ask, limit, is_apart);
+}
+
 template <typename Finder>
 MovingReach reach_of(const Finder& finder, const Motion& motion) noexcept {
     return {motion, extent_of_point(larger(magnitude_of(motion), magnitude_of(finder.box())))};
@@ -65,7 +83,7 @@ template <typename Finder>
 std::optional<Hit> sweep_found(const Volume& volume, const Motion& motion, const SourceTriangle& found,
                                const QueryOptions& options) noexcept {
     if (!Finder::trusted && !is_valid_triangle(found.triangle)) return blocked(HitStatus::invalid);
-    return sweep_triangle(volume, motion, found.triangle, found.id, options.one_sided, options.trace);
+    return sweep_triangle(volume, motion, found.triangle, found.id, options.one_sided, 1, options.trace);
 }
 
 template <typename Finder>
@@ -77,7 +95,7 @@ std::optional<Hit> ask_sweep(const Finder& finder, const Volume& volume, const M
     const auto ask = [&](const SourceTriangle& found) noexcept {
         first.offer(with_names(sweep_found<Finder>(volume, motion, found, options), found));
     };
-    ask_all(finder, reach_of(finder, volume, motion), options, ask, [&]() noexcept { return first.limit(); });
+    ask_all_of(finder, volume, motion, options, ask, [&]() noexcept { return first.limit(); });
     return first.get();
 }
 
@@ -90,7 +108,7 @@ bool ask_sweep_any(const Finder& finder, const Volume& volume, const Motion& mot
     const auto ask = [&](const SourceTriangle& found) noexcept {
         met = met || sweep_found<Finder>(volume, motion, found, options);
     };
-    ask_all(finder, reach_of(finder, volume, motion), options, ask, [&]() noexcept { return met ? -1.0 : 1.0; });
+    ask_all_of(finder, volume, motion, options, ask, [&]() noexcept { return met ? -1.0 : 1.0; });
     return met;
 }
 
@@ -138,7 +156,7 @@ std::size_t ask_overlap(const Finder& finder, const Volume& volume, const dvec3&
         overlap->surface = found.surface;
         overlaps.add(*overlap);
     };
-    ask_all(finder, reach_of(finder, volume, standing), options, ask, []() noexcept { return 1.0; });
+    ask_all_of(finder, volume, standing, options, ask, []() noexcept { return 1.0; });
     return overlaps.count();
 }
 

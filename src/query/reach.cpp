@@ -11,10 +11,14 @@ constexpr double margin_share = 0x1p-36;
 
 }  // namespace
 
+double margin_of(const Volume& volume, double magnitude) noexcept {
+    return margin_share * (size_of(volume.shape) + 4 * magnitude);
+}
+
 Box3 extent_of(const Volume& volume, double magnitude) noexcept {
     const Frame frame(volume.orientation);
     const auto along = [&](const Vec& axis) { return reach_against(volume.shape, unit(frame.to_local(-axis))); };
-    const double m = margin_share * (size_of(volume.shape) + 4 * magnitude);
+    const double m = margin_of(volume, magnitude);
     const Vec margin{m, m, m};
     const Vec low{along({-1, 0, 0}), along({0, -1, 0}), along({0, 0, -1})};
     const Vec high{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};

@@ -39,6 +39,9 @@ struct Box3 {
 /// Requires: a valid volume.
 [[nodiscard]] Box3 extent_of(const Volume& volume, double magnitude) noexcept;
 
+/// That margin [m].
+[[nodiscard]] double margin_of(const Volume& volume, double magnitude) noexcept;
+
 /// The same for a point.
 [[nodiscard]] Box3 extent_of_point(double magnitude) noexcept;
 
