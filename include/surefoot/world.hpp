@@ -165,7 +165,8 @@ public:
     /// adds to its own motion. Requires: the body is in; asserts otherwise, else says `place`.
     [[nodiscard]] dvec3 carried(BodyHandle handle, const dvec3& place, double begin = 0, double end = 1) const noexcept;
 
-    /// How fast the body moves at `place`, on the average over a tick of `seconds` [m/s]. Requires: as above.
+    /// How fast the body moves at `place`, on the average over a tick of `seconds` [s, > 0; else zero] [m/s]. Requires:
+    /// as above.
     [[nodiscard]] dvec3 velocity_at(BodyHandle handle, const dvec3& place, double seconds) const noexcept;
 
     /// A triangle in the world, at a time of the tick; none if there is no such body. For `barycentrics` of a hit, ask

@@ -138,6 +138,8 @@ void overlap_body(const WorldBody& body, const Volume& volume, const dvec3& posi
             }
             overlaps.add(found);
         }
+        // A source that hands out what it was told to leave out would never end.
+        if (count > batch && some_done && room[batch - 1].triangle <= done_up_to) return;
         done_up_to = room[batch - 1].triangle;
         some_done = true;
     } while (count > batch);

@@ -183,6 +183,7 @@ dvec3 World::carried(BodyHandle handle, const dvec3& place, double begin, double
 }
 
 dvec3 World::velocity_at(BodyHandle handle, const dvec3& place, double seconds) const noexcept {
+    if (!(seconds > 0)) return dvec3(0, 0, 0);
     const dvec3 there = carried(handle, place);
     const IeeeGuard guard;
     return to_dvec3((to_vec(there) - to_vec(place)) / seconds);
