@@ -59,7 +59,7 @@ struct Listed {
 };
 
 TEST(VisitedSource, answers_every_query_bit_for_bit_like_a_mesh_of_its_triangles) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const Listed list = Listed::soup(seed, 300);
         const auto same = tests::as_mesh(list.all);
         const VisitedSource source(list);

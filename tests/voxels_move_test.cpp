@@ -137,7 +137,7 @@ TEST(MoveAxisByAxis, equals_brute_force_decided_exactly) {
     int blocked = 0;
     int inside = 0;
     for (const VoxelWindow& window : {small_window, rounded_window}) {
-        for (const std::uint64_t full : {1, 4, 9}) {
+        for (const std::uint64_t full : {1U, 4U, 9U}) {
             Trial trial(window, full, full, 4);
             for (int i = 0; i < 1500 && !HasFailure(); ++i) {
                 SCOPED_TRACE(i);

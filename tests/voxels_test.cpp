@@ -21,8 +21,8 @@ Bounds around(const Voxels& voxels, double margin) {
 
 TEST(Voxels, answer_every_query_bit_for_bit_like_a_mesh_of_their_triangles) {
     std::uint64_t seed = 1;
-    for (const std::uint64_t full : {1, 5, 9}) {
-        for (const std::uint64_t partial : {0, 2, 5}) {
+    for (const std::uint64_t full : {1U, 5U, 9U}) {
+        for (const std::uint64_t partial : {0U, 2U, 5U}) {
             const VoxelWindow window{.first = {-6, -3, -4}, .cells = {12, 7, 9}, .boxes_per_block = 2};
             const tests::BlockWorld world(window, ++seed, full, partial);
             const auto voxels = Voxels::over(world, window);
@@ -101,7 +101,7 @@ TEST(Voxels, have_no_faces_between_blocks_that_cover_each_other) {
 TEST(Voxels, lose_only_triangles_that_nobody_can_reach) {
     const VoxelWindow window{.cells = {8, 6, 8}, .boxes_per_block = 2};
     int hits = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const tests::BlockWorld world(window, seed, 6, 5);
         const auto voxels = Voxels::over(world, window);
         ASSERT_TRUE(voxels.has_value());

@@ -246,6 +246,75 @@ void world(Results& results) {
     record(results, "world", hash);
 }
 
+// Everything that a source answers, of one question.
+template <typename Source>
+void ask_source(Hash& hash, const Source& source, const surefoot::Volume& volume, const surefoot::Motion& motion) {
+    hash << source.sweep(volume, motion) << source.ray(motion);
+    std::array<surefoot::Overlap, 8> found;
+    const std::size_t count = source.overlap(volume, motion.from, found);
+    hash << std::uint64_t{count};
+    for (std::size_t k = 0; k < count && k < found.size(); ++k) hash << found[k];
+}
+
+void height_field(Results& results) {
+    Queries queries(550);
+    constexpr std::uint32_t side = 24;
+    std::vector<std::uint16_t> levels;
+    std::vector<std::uint8_t> quads;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        levels.push_back(static_cast<std::uint16_t>(queries.random().between(0, 400)));
+        if (i < (side - 1) * (side - 1)) quads.push_back(static_cast<std::uint8_t>(queries.random().between(0, 3)));
+    }
+    // Steps that no double holds: the rounding of corners is part of the answers.
+    const auto built = surefoot::HeightField::build({.columns = side,
+                                                     .rows = side,
+                                                     .levels = levels,
+                                                     .cell_x = 0.37,
+                                                     .cell_z = 0.41,
+                                                     .height_scale = 0.011,
+                                                     .origin = {-4.1, -2.3, -4.9},
+                                                     .quads = quads});
+    Hash hash;
+    for (int i = 0; built && i < queries_per_concept / 2; ++i) {
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % shape_names.size());
+        ask_source(hash, *built, volume, queries.motion());
+    }
+    record(results, "height_field", hash);
+}
+
+void voxels(Results& results) {
+    Queries queries(560);
+    constexpr std::int32_t side = 12;
+    static constexpr surefoot::BlockBox stairs[] = {{{0, 0, 0}, {1, 0.5F, 1}}, {{0.5F, 0.5F, 0}, {1, 1, 1}}};
+    std::vector<std::uint8_t> grid;
+    for (std::int32_t i = 0; i < side * side * side; ++i) {
+        grid.push_back(static_cast<std::uint8_t>(queries.random().between(0, 9)));
+    }
+    const auto block = [&grid](std::int32_t x, std::int32_t y, std::int32_t z) {
+        const std::uint8_t kind = grid[static_cast<std::size_t>((y * side + z) * side + x)];
+        if (kind == 0) return surefoot::Block::of(stairs, 3);
+        return kind < 3 ? surefoot::Block::full(kind) : surefoot::Block::empty();
+    };
+    const auto made = surefoot::Voxels::over(
+        block,
+        {.cells = {side, side, side}, .size = {0.7, 0.9, 0.7}, .origin = {-4.1, -5.3, -4.3}, .boxes_per_block = 2});
+    Hash hash;
+    Hash moved;
+    for (int i = 0; made && i < queries_per_concept / 2; ++i) {
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % shape_names.size());
+        const surefoot::Motion motion = queries.motion();
+        ask_source(hash, *made, volume, motion);
+        const surefoot::Box box{.half_extents = {queries.radius(), queries.radius(), queries.radius()}};
+        const surefoot::BoxMove move = surefoot::move_axis_by_axis(*made, box, motion.from, motion.to);
+        moved << move.position;
+        for (const surefoot::AxisStop& stop : {move.x, move.y, move.z}) {
+            moved << std::uint64_t{stop.blocked} << std::uint64_t{stop.triangle} << std::uint64_t{stop.surface};
+        }
+    }
+    record(results, "voxels", hash);
+    record(results, "voxels.move", moved);
+}
+
 Results ask_everything() {
     Results results;
     sweep_each_shape(results);
@@ -256,6 +325,8 @@ Results ask_everything() {
     pair(results);
     mesh(results);
     world(results);
+    height_field(results);
+    voxels(results);
     return results;
 }
 
