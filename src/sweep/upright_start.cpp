@@ -1,6 +1,7 @@
 #include "sweep/upright_start.hpp"
 
 #include "sweep/candidates.hpp"
+#include "sweep/exact_facets.hpp"
 #include "sweep/exact_query.hpp"
 
 namespace surefoot::internal {
@@ -89,29 +90,11 @@ public:
         return (opening_ & bit_of(slot)) != 0 ? Slope::not_closing : Slope::unknown;
     }
     [[nodiscard]] const RimRoots& roots() const noexcept { return start_.roots(); }
-    /// A lower bound on the distance.
-    [[nodiscard]] double least() const noexcept { return least_; }
-
-    /// Is the shape in touch beyond doubt at the start, or at some time that is tried?
-    [[nodiscard]] bool surely_meets() const noexcept {
-        if (is_inside(start_)) return true;
-        for (const double t : {1.0, 0.5, 0x1p-6, 0x1p-16}) {
-            if (is_inside(start_in_doubles(query_, t))) return true;
-        }
-        return false;
-    }
 
 private:
     // On a rim the gap is at its largest, so that a turned normal hardly matters; elsewhere it counts in full.
     [[nodiscard]] double gap_doubt(const UprightStart<double>::Plane& plane) const noexcept {
         return hair_ + (is_rim(plane.slot) ? 0x1p-20 : plane.doubt) * extent_;
-    }
-
-    [[nodiscard]] bool is_inside(const UprightStart<double>& start) const noexcept {
-        for (int i = 0; i < start.count(); ++i) {
-            if (start.plane(i).gap + gap_doubt(start.plane(i)) > 0) return false;
-        }
-        return true;
     }
 
     const SweepQuery& query_;
@@ -128,7 +111,9 @@ private:
 class ExactSlopes {
 public:
     ExactSlopes(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept
-        : query_(motion, triangle), is_cone_(std::holds_alternative<Cone>(volume.shape)) {
+        : query_(motion, triangle),
+          radius_(upright_shape<Number>(volume.shape, Number(1.0)).radius),
+          is_cone_(std::holds_alternative<Cone>(volume.shape)) {
         query_.turn_into_frame(volume.orientation);
     }
 
@@ -139,13 +124,19 @@ public:
         }
         const int edge = (slot - UprightSlot::first_edge) / UprightSlot::per_edge;
         const int which = (slot - UprightSlot::first_edge) % UprightSlot::per_edge;
-        if (is_cone_ || which > UprightSlot::side_of_vertex) return Slope::unknown;
-        if (which == UprightSlot::side_of_vertex) {
-            const auto& corner = query_.corners[edge];
-            if (corner.x.sign() == 0 && corner.z.sign() == 0) return Slope::unknown;
-            return told(corner.x * query_.along.x + corner.z * query_.along.z, false);
-        }
         const auto along = query_.edge(edge);
+        const auto& corner = query_.corners[edge];
+        const auto away_from_corner = [&] {
+            return told(corner.x * query_.along.x + corner.z * query_.along.z, false);
+        };
+        if (which >= UprightSlot::rim) {
+            const bool is_upright = along.x.sign() == 0 && along.z.sign() == 0;
+            return is_upright && !is_near_axis(corner) ? away_from_corner() : Slope::unknown;
+        }
+        if (is_cone_ || which == UprightSlot::about_axis) return Slope::unknown;
+        if (which == UprightSlot::side_of_vertex) {
+            return corner.x.sign() == 0 && corner.z.sign() == 0 ? Slope::unknown : away_from_corner();
+        }
         return told(along.x * query_.along.z - along.z * query_.along.x, which == UprightSlot::side_of_edge);
     }
 
@@ -157,7 +148,15 @@ private:
         return (as_it_is ? slope.sign() : -slope.sign()) < 0 ? Slope::closing : Slope::not_closing;
     }
 
+    // Nearer than where every direction counts, in doubles and in reals.
+    [[nodiscard]] bool is_near_axis(const ExactVec<Number>& corner) const noexcept {
+        const Number least = Number(0x1p-20) * radius_ * query_.scale;
+        const Number apart = exact_absolute(corner.x) + exact_absolute(corner.z) - least;
+        return apart.overflowed() || apart.sign() < 0;
+    }
+
     ExactQuery<Number> query_;
+    Number radius_;
     bool is_cone_;
 };
 
@@ -175,49 +174,43 @@ public:
         slope_hair_ = square_root(dot(query_.along, query_.along)) * tiny;
     }
 
-    /// Of the planes in `active`, with the slopes that are known. `apart`: none is nearer than some gap.
-    [[nodiscard]] Slope slope(std::uint32_t active, const Slope (&slopes)[UprightSlot::count], const RimRoots& roots,
-                              bool& apart) const noexcept {
+    /// Of the nearest of the planes in `active`, with the slopes that are known.
+    [[nodiscard]] Slope slope(std::uint32_t active, const Slope (&slopes)[UprightSlot::count],
+                              const RimRoots& roots) const noexcept {
         UprightStart<Real> start(query_.corners, query_.along, shape_, hair_);
         start.propose(active, &roots);
         // What doubles took for on the axis, or for a root, may not be there at all.
         if (start.count() == 0) start.propose();
         const Real least = start.nearest().gap - hair_;
-        apart = least > Real(0.0);
         for (int i = 0; i < start.count(); ++i) {
             const auto& plane = start.plane(i);
             if (plane.gap < least) continue;
-            const Slope known = slopes[plane.slot];
+            const Slope known = slope_of(start, i, slopes, least);
             if (known == Slope::not_closing) return known;
             if (known == Slope::unknown && plane.approach > -slope_hair_) return Slope::not_closing;
         }
         return Slope::closing;
     }
 
-    /// Does the motion meet the triangle? The gap along a normal is linear in time, so every plane that separates
-    /// bounds the times that are left, from below if it closes and from above if it opens.
-    [[nodiscard]] bool meets() const noexcept {
-        Real low(0.0);
-        Real high(1.0);
-        Real t(0.0);
-        for (int round = 0; round < most_rounds; ++round) {
-            ExactVec<Real> corners[3];
-            for (int i = 0; i < 3; ++i) corners[i] = query_.corners[i] - query_.along * t;
-            UprightStart<Real> start(corners, query_.along, shape_, hair_);
-            start.propose();
-            const auto& nearest = start.nearest();
-            if (!(nearest.gap > hair_)) return true;
-            const bool closes = nearest.approach < -slope_hair_;
-            if (!closes && !(nearest.approach > slope_hair_)) return false;
-            (closes ? low : high) = t - nearest.gap / nearest.approach;
-            if (low > high + Real(0x1p-280)) return false;
-            t = round % 2 == 1 ? (low + high) * Real(0.5) : (closes ? low : high);
-        }
-        return true;  // so nearly that it counts
-    }
-
 private:
-    static constexpr int most_rounds = 200;
+    // A rim or a cone's side whose normal is that of a cap, a face or an upright side but for rounding has its slope.
+    static Slope slope_of(const UprightStart<Real>& start, int i, const Slope (&slopes)[UprightSlot::count],
+                          const Real& least) noexcept {
+        const auto& plane = start.plane(i);
+        Slope known = slopes[plane.slot];
+        if (known != Slope::unknown) return known;
+        Real nearest(0x1p-320);
+        for (int k = 0; k < start.count(); ++k) {
+            const auto& other = start.plane(k);
+            if (slopes[other.slot] == Slope::unknown || other.gap < least) continue;
+            const ExactVec<Real> apart = other.normal - plane.normal;
+            const Real squared = dot(apart, apart);
+            if (!(squared < nearest)) continue;
+            nearest = squared;
+            known = slopes[other.slot];
+        }
+        return known;
+    }
 
     ExactQuery<Real> query_;
     UprightShape<Real> shape_;
@@ -261,15 +254,11 @@ Approach upright_approach_at_start(const Volume& volume, const Motion& motion, c
         for_each_active([&](int slot) { return exact.of(slot); });
     }
     if (!some_unknown && !some_closing) return Approach::no_closer;
-    if ((some_unknown || some_not_closing) && outlook.least() <= 0) {
-        const RealStart start(volume, motion, ordered);
-        bool apart = false;
-        const Slope slope = start.slope(outlook.active(), slopes, outlook.roots(), apart);
-        if (slope == Slope::not_closing) return Approach::no_closer;
-        return !apart || start.meets() ? Approach::deeper : Approach::no_closer;
-    }
-    if (outlook.surely_meets()) return Approach::deeper;
-    return RealStart(volume, motion, ordered).meets() ? Approach::deeper : Approach::no_closer;
+    // All that is as near as the nearest closes. If shape and triangle are apart by less than the hair and the motion
+    // passes by within it, this is a false hit of the kind that is promised to be rare, and not a miss.
+    if (!some_unknown && !some_not_closing) return Approach::deeper;
+    const Slope slope = RealStart(volume, motion, ordered).slope(outlook.active(), slopes, outlook.roots());
+    return slope == Slope::not_closing ? Approach::no_closer : Approach::deeper;
 }
 
 }  // namespace surefoot::internal
