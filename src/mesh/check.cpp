@@ -13,6 +13,7 @@ public:
         : view_(view),
           container_(container),
           node_seen_(view.nodes.size(), false),
+          within_(view.nodes.size(), view.bounds),
           triangle_seen_(view.places.size(), false) {}
 
     [[nodiscard]] Expected<void> run() {
@@ -33,7 +34,9 @@ private:
         if (node.count == 0 || node.count > tree_width) return fail("nodes", index, "has a node with a wrong count");
         for (int k = 0; k < node.count; ++k) {
             const std::uint32_t child = node.child[k];
-            const Box3 box = box_of(node, k);
+            // Boxes are rounded outwards on a grid of each node's own, so a child's may stick out a little; but what
+            // is below has to lie in all of them.
+            const Box3 box = common(box_of(node, k), within_[index]);
             if ((child & leaf_bit) != 0) {
                 if (const auto sound = leaf(child & ~leaf_bit, box); !sound) return sound;
                 continue;
@@ -41,9 +44,7 @@ private:
             if (child <= index || child >= view_.nodes.size() || node_seen_[child])
                 return fail("nodes", index, "has a node whose child is not behind it, or has two parents");
             node_seen_[child] = true;
-            for (int i = 0; i < view_.nodes[child].count && i < tree_width; ++i)
-                if (!contains(box, box_of(view_.nodes[child], i)))
-                    return fail("nodes", index, "has a node that sticks out of the one above");
+            within_[child] = box;
         }
         return {};
     }
@@ -67,8 +68,7 @@ private:
                 return fail("leaves", word, "has a vertex that is not finite or lies beyond 1e9 m");
             for (const dvec3& corner : {triangle.a, triangle.b, triangle.c}) {
                 const Vec v = to_vec(corner);
-                if (!contains(box, {v, v}) || !contains(view_.bounds, {v, v}))
-                    return fail("leaves", word, "has a triangle that sticks out of its box");
+                if (!contains(box, {v, v})) return fail("leaves", word, "has a triangle that sticks out of its box");
             }
         }
         return {};
@@ -80,6 +80,11 @@ private:
                        double{node.decoded(2, sides[2][child])}};
         };
         return {corner(node.low), corner(node.high)};
+    }
+
+    [[nodiscard]] static Box3 common(const Box3& a, const Box3& b) noexcept {
+        return {{larger(a.min.x, b.min.x), larger(a.min.y, b.min.y), larger(a.min.z, b.min.z)},
+                {smaller(a.max.x, b.max.x), smaller(a.max.y, b.max.y), smaller(a.max.z, b.max.z)}};
     }
 
     // False for NaN.
@@ -97,6 +102,7 @@ private:
     const MeshView& view_;
     const Container& container_;
     std::vector<bool> node_seen_;
+    std::vector<Box3> within_;  ///< what all boxes above a node have in common
     std::vector<bool> triangle_seen_;
     std::size_t triangles_ = 0;
 };
