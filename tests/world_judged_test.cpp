@@ -61,12 +61,15 @@ TEST(WorldJudged, a_turned_body_is_never_missed_and_never_hit_late) {
         query.qx = seen.x;
         query.qy = seen.y;
         query.qz = seen.z;
-        // Near enough to meet something: at most two steps of the square.
-        const dvec3 from = whole.point(2);
-        const dvec3 to = whole.point(2);
+        // All near each other, and half of the time far from the body's own origin, where the pose rounds far more
+        // than the sweep does. What the mesh holds is whole and below 2^24, so it is a float.
+        const dvec3 far = i % 2 == 0 ? dvec3(0, 0, 0) : whole.point(100000);
+        const dvec3 from = far + whole.point(2);
+        const dvec3 to = far + whole.point(2);
         query.from = tools::vec_from(from * square);
         query.to = tools::vec_from(to * square);
-        const dvec3 corners[3] = {whole.point(30), whole.point(30), whole.point(30)};
+        const dvec3 middle = far * square;
+        const dvec3 corners[3] = {middle + whole.point(30), middle + whole.point(30), middle + whole.point(30)};
         query.a = tools::vec_from(corners[0]);
         query.b = tools::vec_from(corners[1]);
         query.c = tools::vec_from(corners[2]);
