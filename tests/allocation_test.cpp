@@ -121,6 +121,36 @@ TEST(Allocation, bodies_allocate_when_they_are_added_and_then_no_more) {
     EXPECT_GT(hits, 300u);
 }
 
+TEST(Allocation, height_fields_allocate_when_built_and_then_no_more_and_voxels_never) {
+    golden::Queries queries(5);
+    const std::vector<std::uint16_t> levels(32 * 32, std::uint16_t{1});
+    auto field = surefoot::HeightField::build({.columns = 32, .rows = 32, .levels = levels, .origin = {-16, 0, -16}});
+    ASSERT_TRUE(field);
+
+    const std::size_t before = allocations;
+    const auto ground = [](std::int32_t, std::int32_t y, std::int32_t) { return y < 2; };
+    const auto voxels = surefoot::Voxels::over(ground, {.cells = {32, 4, 32}, .origin = {-16, -1, -16}});
+    ASSERT_TRUE(voxels);
+    std::size_t hits = 0;
+    for (int i = 0; i < 300; ++i) {
+        const surefoot::Volume volume = queries.volume(static_cast<std::size_t>(i) % 6);
+        const surefoot::Motion motion = queries.motion();
+        std::array<surefoot::Overlap, 4> found;
+        std::array<surefoot::SourceTriangle, 4> near;
+        for (const surefoot::SourceView source : {surefoot::SourceView(*field), surefoot::SourceView(*voxels)}) {
+            hits += source.sweep(volume, motion).has_value();
+            hits += source.ray(motion).has_value();
+            hits += source.overlap(volume, motion.from, found);
+            hits += source.nearest(motion.from, 10).has_value();
+            hits += source.gather({{-2, -2, -2}, {2, 2, 2}}, near);
+        }
+        hits += surefoot::move_axis_by_axis(*voxels, {}, {0, 5, 0}, motion.to).y.blocked;
+        hits += field->set({.columns = 1, .rows = 1, .levels = {levels.data(), 1}}).has_value();
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(hits, 1000u);
+}
+
 TEST(Allocation, no_query_against_one_triangle_or_shape_allocates) {
     golden::Queries queries(2);
     const std::size_t before = allocations;
