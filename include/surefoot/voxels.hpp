@@ -124,6 +124,7 @@ public:
                         const QueryOptions& options = {}) const noexcept;
     [[nodiscard]] std::optional<NearestPoint> nearest(const dvec3& point, double farthest,
                                                       const QueryOptions& options = {}) const noexcept;
+    /// As for Mesh, but the kinds of edges are not worked out: all are `open`.
     std::size_t gather(const Bounds& near, std::span<SourceTriangle> found,
                        const QueryOptions& options = {}) const noexcept;
 
