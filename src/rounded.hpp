@@ -1,6 +1,6 @@
-// Rounding to float and back. A cast should do, but g++ 12 drops it: where two casts double -> float -> double stand side
-// by side, its vectoriser makes one vector of each, and then takes two conversions between vectors of two for none at
-// all. So the float is shown to the compiler as something that an unknown instruction may have changed.
+// Rounding to float and back. A cast should do, but g++ 12 drops it: where two casts double -> float -> double stand
+// side by side, its vectoriser makes one vector of each, and then takes two conversions between vectors of two for none
+// at all. So the float is shown to the compiler as something that an unknown instruction may have changed.
 #pragma once
 
 namespace surefoot::internal {
