@@ -10,10 +10,10 @@
 #include "kernels/mesh_search.hpp"
 #include "limits.hpp"
 #include "mesh/data.hpp"
-#include "tree/scalar_search.hpp"
 #include "query/answers.hpp"
 #include "query/reach.hpp"
 #include "sweep/sweep.hpp"
+#include "tree/scalar_search.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -118,7 +118,8 @@ struct FirstSweep {
             first.offer(hit);
             return;
         }
-        first.offer(sweep_triangle(volume, motion, triangle, id, options.one_sided, options.trace));
+        first.offer(sweep_triangle(volume, motion, triangle, id, options.one_sided,
+                                   options.trace == nullptr ? first.limit() : 1, options.trace));
     }
     [[nodiscard]] double limit() const noexcept { return first.limit(); }
 };

@@ -12,6 +12,7 @@ void propose_planes(const SweepQuery& query, const Box&, Planes& planes) noexcep
         for (const Vec& axis : axes) planes.consider_both(axis);
     }
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Vec edge = scaled_to_one(query.edge_direction(i));
         for (const Vec& axis : axes) planes.consider_both(cross(edge, axis));
     }

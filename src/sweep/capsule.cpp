@@ -13,6 +13,7 @@ void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& pla
 
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Vec edge = query.edge_direction(i);
         const Ball ball{.radius = capsule.radius, .hairs = query.edge_hairs(i)};
         planes.consider_both(cross(scaled_to_one(edge), axis));
@@ -22,6 +23,7 @@ void propose_planes(const SweepQuery& query, const Capsule& capsule, Planes& pla
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Vec& corner = query.corners[i];
         const Ball ball{.radius = capsule.radius, .hairs = query.corner_hairs(i)};
         planes.consider_pass(ball_against_line(corner, axis, query.along, ball));

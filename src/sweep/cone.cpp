@@ -66,6 +66,7 @@ void propose_planes(const SweepQuery& query, const Cone& cone, Planes& planes) n
         planes.consider_both(query.face_normal());
     }
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Vec edge = query.edge_direction(i);
         consider_perpendicular_sides(cone, edge, planes);
         planes.consider_pass(

@@ -16,6 +16,7 @@ void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& p
         planes.consider_both(query.face_normal());
     }
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Vec edge = query.edge_direction(i);
         planes.consider_both(cross(scaled_to_one(edge), axis));
         for (const Vec& centre : rim_centres) {
@@ -25,6 +26,7 @@ void propose_planes(const SweepQuery& query, const Cylinder& cylinder, Planes& p
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         const Ball seen_along_axis{.radius = cylinder.radius, .hairs = query.corner_hairs(i)};
         planes.consider_pass(ball_against_line(query.corners[i], axis, query.along, seen_along_axis));
     }

@@ -200,4 +200,24 @@ double outside_by(const Shape& shape, const Vec& p) noexcept {
                       shape);
 }
 
+double at_most_outside_by(const Shape& shape, const Vec& p) noexcept {
+    const double outside = outside_by(shape, p);
+    if (outside <= 0) return outside;
+    return std::visit(Overloaded{
+                          [&](const Ellipsoid& ellipsoid) {
+                              // Back to the surface along the radius.
+                              const Vec radii = to_vec(ellipsoid.radii);
+                              return outside * largest(radii) / smaller(radii.x, smaller(radii.y, radii.z));
+                          },
+                          [&](const Box&) { return outside * 2; },       // in all three directions at once
+                          [&](const Cylinder&) { return outside * 2; },  // up and sideways
+                          [&](const Cone& cone) {
+                              // Sideways to the side and down to the disc; near the rim, by turns.
+                              return outside * (2 + 2 * (cone.height / cone.radius + cone.radius / cone.height));
+                          },
+                          [&](const auto&) { return outside; },
+                      },
+                      shape);
+}
+
 }  // namespace surefoot::internal

@@ -16,4 +16,8 @@ namespace surefoot::internal {
 /// negative inside [m].
 [[nodiscard]] double outside_by(const Shape& shape, const Vec& point) noexcept;
 
+/// How far outside the shape a point is at most; 0 or less is inside. Very much larger than the truth for slender
+/// shapes [m].
+[[nodiscard]] double at_most_outside_by(const Shape& shape, const Vec& point) noexcept;
+
 }  // namespace surefoot::internal

@@ -18,22 +18,21 @@ void propose_round_planes(const SweepQuery& query, const Ball& ball, Planes& pla
     const auto squash = [&](const Vec& v) { return divide_each(v, ball.squash); };
     const auto with = [&](const Hairs& hairs) { return Ball{ball.radius, hairs, ball.squash}; };
     const auto consider = [&](const RoundNormals& normals) {
-        planes.consider(squash(normals.entry));
-        planes.consider(squash(normals.exit));
-        planes.consider(squash(normals.passing));
-        planes.consider(squash(normals.grazing_entry));
-        planes.consider(squash(normals.grazing_exit));
+        planes.consider_pass({squash(normals.entry), squash(normals.exit), squash(normals.passing),
+                              squash(normals.grazing_entry), squash(normals.grazing_exit)});
     };
     const Vec along = squash(query.along);
     if (!has_fault(Fault::face_dropped)) planes.consider_both(query.face_normal());
     const bool skip_edges =
         has_fault(Fault::parallel_skipped) && absolute(dot(unit(query.face_normal()), unit(query.along))) < 0x1p-20;
     for (int i = has_fault(Fault::first_edge_dropped) ? 1 : 0; i < 3 && !skip_edges; ++i) {
+        if (planes.has_free_plane()) return;
         consider(ball_against_line(squash(query.edge_start(i)), squash(query.edge_direction(i)), along,
                                    with(query.edge_hairs(i))));
     }
     if (has_fault(Fault::vertices_dropped)) return;
     for (int i = 0; i < 3; ++i) {
+        if (planes.has_free_plane()) return;
         consider(ball_against_point(squash(query.corners[i]), along, with(query.corner_hairs(i))));
     }
 }

@@ -69,7 +69,7 @@ bool is_well_inside(const SweepQuery& query, const Vec& normal, const Vec& point
 
 }  // namespace
 
-FaceFirst ask_face_first(const SweepQuery& query) noexcept {
+FaceFirst ask_face_first(const SweepQuery& query, double limit) noexcept {
     FaceFirst face;
     if (has_fault(Fault::face_dropped)) return face;
     const Vec normal = unit(query.face_normal());
@@ -80,6 +80,10 @@ FaceFirst ask_face_first(const SweepQuery& query) noexcept {
 
     const double left_at_end = face.plane.gap + face.plane.approach;
     if (left_at_end > 0 && !(has_fault(Fault::far_end_ignored) && face.plane.approach < 0)) {
+        face.verdict = FaceFirst::Verdict::free;
+        return face;
+    }
+    if (face.plane.gap + limit * face.plane.approach > 4 * query.triangle_hair()) {
         face.verdict = FaceFirst::Verdict::free;
         return face;
     }

@@ -10,7 +10,7 @@ namespace surefoot::internal {
 struct FaceFirst {
     enum class Verdict : std::uint8_t {
         undecided,  ///< ask all features
-        free,       ///< the triangle's plane has a gap over the whole motion: no hit, and this is the proof
+        free,       ///< the triangle's plane has a gap over the whole motion, or until after the limit: no hit
         hit,        ///< at `t` the face's plane gives way, and `point` is of the shape and well inside the triangle
     };
     Verdict verdict = Verdict::undecided;
@@ -19,6 +19,6 @@ struct FaceFirst {
     Vec point;  ///< in the shape's frame, relative to `from`
 };
 
-[[nodiscard]] FaceFirst ask_face_first(const SweepQuery& query) noexcept;
+[[nodiscard]] FaceFirst ask_face_first(const SweepQuery& query, double limit) noexcept;
 
 }  // namespace surefoot::internal

@@ -1,6 +1,7 @@
 #include "sweep/planes.hpp"
 
 #include <bit>
+#include <new>
 
 #include "fault.hpp"
 
@@ -22,7 +23,7 @@ void Planes::consider(const Vec& direction) noexcept {
     const Vec normal = unit(direction);
     if (normal == Vec{}) return;
     const Plane plane = judged(query_, normal);
-    if (count_ < most_planes) planes_[count_++] = plane;
+    if (count_ < most_planes) ::new (&room_.planes[count_++]) Plane(plane);
 
     const bool apart_at_from = plane.gap > 0;
     const bool apart_at_to = plane.gap + plane.approach > 0;
@@ -30,6 +31,8 @@ void Planes::consider(const Vec& direction) noexcept {
     if (apart_at_from && apart_at_to && !(has_fault(Fault::far_end_ignored) && plane.approach < 0)) {
         free_ = true;
         record(plane, Verdict::separates, 0);
+    } else if (apart_at_from && plane.gap + limit_ * plane.approach > 2 * hair_) {
+        free_ = true;  // until after the limit
     } else if (plane.approach < 0) {
         const double t = plane.gap / -plane.approach;
         if (!has_last_ || t > enter_) {
@@ -89,12 +92,6 @@ Plane Planes::steadiest_at(double t) const noexcept {
         }
     }
     return best;
-}
-
-double Planes::hair() const noexcept {
-    double total = 2 * query_.shape_slack;
-    for (const double slack : query_.corner_slack) total += slack;
-    return total;
 }
 
 bool Planes::may_slip_by() const noexcept {

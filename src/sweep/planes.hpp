@@ -37,9 +37,20 @@ struct Plane {
     return -plane.approach <= 0x1p-16 * norm1(query.along);
 }
 
+/// Which of the planes that the closed forms know are asked.
+enum class Ask : std::uint8_t {
+    entries,     ///< those that the motion may enter by: enough for most that is met on the way
+    everything,  ///< all of them: for starts in touch, for motions that graze, and to prove a miss
+};
+
 class Planes {
 public:
-    Planes(const SweepQuery& query, Trace* trace) noexcept : query_(query), trace_(trace) {}
+    /// What is met after `limit` [0, 1] is of no interest, and may be taken for a free motion.
+    Planes(const SweepQuery& query, Ask which, double limit, Trace* trace) noexcept
+        : query_(query), trace_(trace), limit_(limit), which_(which) {
+        hair_ = 2 * query.shape_slack;
+        for (const double slack : query.corner_slack) hair_ += slack;
+    }
 
     /// Judges the plane with this normal, of any length; zero is no plane and is passed over.
     void consider(const Vec& normal) noexcept;
@@ -47,6 +58,7 @@ public:
     /// Judges the planes that a passing round feature proposes.
     void consider_pass(const RoundNormals& normals) noexcept {
         consider(normals.entry);
+        if (which_ == Ask::entries) return;
         consider(normals.exit);
         consider(normals.passing);
         consider(normals.grazing_entry);
@@ -59,8 +71,19 @@ public:
         consider(-normal);
     }
 
-    /// Is there a plane with a gap over the whole motion? Call when all planes have been considered.
+    /// Is there a plane with a gap over the whole motion, or a combination of two? Call when all planes have been
+    /// considered.
     [[nodiscard]] bool motion_is_free() noexcept;
+
+    /// Has one plane with a gap over the whole motion been found? The others need not be asked.
+    [[nodiscard]] bool has_free_plane() const noexcept { return free_; }
+
+    /// Does the motion clearly enter the last plane, from clearly before it, and leave none before that? Then a touch
+    /// found there is the answer.
+    [[nodiscard]] bool enters_clearly() const noexcept {
+        return has_last_ && last_.gap > 8 * hair_ && enter_ <= 1 && !is_grazed(query_, last_) &&
+               !(has_leave_ && leave_ < enter_);
+    }
 
     /// Does some plane have a gap at `from`?
     [[nodiscard]] bool starts_apart() const noexcept { return apart_; }
@@ -93,10 +116,12 @@ public:
     /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.
     [[nodiscard]] unsigned touched_corners(const Vec& normal) const noexcept;
 
-    [[nodiscard]] std::span<const Plane> all() const noexcept { return {planes_, static_cast<std::size_t>(count_)}; }
+    [[nodiscard]] std::span<const Plane> all() const noexcept {
+        return {room_.planes, static_cast<std::size_t>(count_)};
+    }
 
     /// At least the rounding that any plane's gap may contain, once taken off and once more [m].
-    [[nodiscard]] double hair() const noexcept;
+    [[nodiscard]] double hair() const noexcept { return hair_; }
 
 private:
     void record(const Plane& plane, Verdict verdict, double t) const noexcept;
@@ -105,7 +130,15 @@ private:
 
     const SweepQuery& query_;
     Trace* trace_;
-    Plane planes_[most_planes];
+    double limit_;
+    double hair_;
+    Ask which_;
+    // Planes are put here one by one; clearing it first would cost as much as asking them.
+    union Room {
+        Room() noexcept {}
+        Plane planes[most_planes];
+    };
+    Room room_;
     int count_ = 0;
     Plane last_;
     Plane first_to_open_;

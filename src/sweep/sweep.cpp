@@ -5,6 +5,7 @@
 #include "limits.hpp"
 #include "sweep/candidates.hpp"
 #include "sweep/contact_point.hpp"
+#include "sweep/deepest.hpp"
 #include "sweep/face_first.hpp"
 #include "sweep/planes.hpp"
 #include "sweep/start.hpp"
@@ -15,6 +16,9 @@ namespace {
 
 // How far apart shape and triangle may be where they are said to touch, as a share of the largest number in the query.
 constexpr double allowed_gap = 1e-10;
+
+// How far outside the shape a point may lie that says that they touch, in hairs: far less than the gap that is allowed.
+constexpr double touching_hairs = 64;
 
 void propose(const SweepQuery& query, Planes& planes) noexcept {
     std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
@@ -47,14 +51,19 @@ double reported_time(const SweepQuery& query, double t) noexcept {
     return t;
 }
 
-Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Planes& planes,
-             const Plane& plane, double t) noexcept {
+struct Described {
+    Hit hit;
+    bool touches;  ///< is the point of the triangle certainly one of the shape, too?
+};
+
+Described describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Planes& planes,
+                   const Plane& plane, double t) noexcept {
     const double numbers =
         larger(larger(largest(to_vec(motion.from)), largest(to_vec(motion.to))),
                larger(largest(to_vec(triangle.a)), larger(largest(to_vec(triangle.b)), largest(to_vec(triangle.c)))));
     const Contact contact = contact_of(query, planes, plane, t, allowed_gap * numbers);
     Hit hit;
-    hit.t = t;
+    hit.t = reported_time(query, t);
     hit.triangle = query.triangle_id;
     hit.feature = feature_of(query, contact.corners);
     hit.normal = to_dvec3(normal_in_world(query, plane));
@@ -66,7 +75,8 @@ Hit describe(const SweepQuery& query, const Triangle& triangle, const Motion& mo
             hit.point = *world[query.original[i]];
         }
     }
-    return hit;
+    const double outside = at_most_outside_by(query.shape, contact.point - query.along * t);
+    return {hit, contact.is_on_part && outside <= touching_hairs * planes.hair()};
 }
 
 Hit describe_face(const SweepQuery& query, const Motion& motion, const FaceFirst& face) noexcept {
@@ -114,7 +124,7 @@ std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume,
     }
     planes.record_contact(nearest);
     if (approach == Approach::no_closer && !has_fault(Fault::start_in_touch_always_blocks)) return std::nullopt;
-    Hit hit = describe(query, triangle, motion, planes, nearest, 0);
+    Hit hit = describe(query, triangle, motion, planes, nearest, 0).hit;
     hit.started_inside = planes.starts_inside();
     return hit;
 }
@@ -128,17 +138,33 @@ bool faces(const Motion& motion, const Triangle& triangle) noexcept {
     return approach_to_front(motion, triangle) == Approach::deeper;
 }
 
-std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
-                          Trace* trace) noexcept {
-    const FaceFirst face = ask_face_first(query);
-    if (face.verdict != FaceFirst::Verdict::undecided && trace == nullptr) {
-        if (face.verdict == FaceFirst::Verdict::free) return std::nullopt;
-        return describe_face(query, motion, face);
-    }
-    Planes planes(query, trace);
+// What most sweeps are: the face settles it, or a feature that is clearly entered and a touch that is found there.
+struct Quick {
+    bool decided = false;
+    std::optional<Hit> hit{};
+};
+
+Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triangle& triangle, double limit) noexcept {
+    const FaceFirst face = ask_face_first(query, limit);
+    if (face.verdict == FaceFirst::Verdict::free) return {true};
+    if (face.verdict == FaceFirst::Verdict::hit) return {true, describe_face(query, motion, face)};
+    Planes planes(query, Ask::entries, limit, nullptr);
     propose(query, planes);
-    if (face.verdict == FaceFirst::Verdict::free) return std::nullopt;
-    if (face.verdict == FaceFirst::Verdict::hit) return describe_face(query, motion, face);
+    if (planes.has_free_plane()) return {true};
+    if (!planes.enters_clearly()) return {};
+    const double t = planes.time_of_last();
+    const Described found = describe(query, triangle, motion, planes, planes.steadiest_at(t), t);
+    if (!found.touches) return {};
+    return {true, found.hit};
+}
+
+std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
+                          double limit, Trace* trace) noexcept {
+    const Quick quick = decide_quickly(query, motion, triangle, limit);
+    if (quick.decided && trace == nullptr) return quick.hit;
+    Planes planes(query, Ask::everything, limit, trace);
+    propose(query, planes);
+    if (quick.decided) return quick.hit;
     if (!planes.motion_is_free() && !planes.starts_apart()) {
         // In touch at the start, by these planes. Ask those of the standing shape too.
         propose_standing(query, planes);
@@ -150,8 +176,8 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
         approach_at_start(volume, motion, triangle) == Approach::no_closer) {
         return std::nullopt;  // g is convex: what does not come closer at the start never does
     }
-    const double t = reported_time(query, smaller(1, planes.time_of_last()));
-    return describe(query, triangle, motion, planes, planes.steadiest_at(t), t);
+    const double t = smaller(1, planes.time_of_last());
+    return describe(query, triangle, motion, planes, planes.steadiest_at(t), t).hit;
 }
 
 }  // namespace
@@ -167,14 +193,14 @@ bool is_valid_query(const Volume& volume, const Motion& motion) noexcept {
 }
 
 std::optional<Hit> sweep_triangle(const Volume& volume, const Motion& motion, const Triangle& triangle,
-                                  std::uint32_t id, bool one_sided, Trace* trace) noexcept {
+                                  std::uint32_t id, bool one_sided, double limit, Trace* trace) noexcept {
     // Standing still comes no closer to anything.
     if (to_vec(motion.from) == to_vec(motion.to)) return std::nullopt;
     if (has_fault(Fault::absolute_epsilon) && length(to_vec(motion.to) - to_vec(motion.from)) < 1e-5)
         return std::nullopt;
     if (one_sided && !faces(motion, triangle)) return std::nullopt;
     const SweepQuery query(volume, motion, triangle, id);
-    const std::optional<Hit> hit = decide(query, volume, motion, triangle, trace);
+    const std::optional<Hit> hit = decide(query, volume, motion, triangle, limit, trace);
     record_decision(trace, id, hit);
     return hit;
 }
@@ -190,7 +216,7 @@ std::optional<Hit> sweep(const Volume& volume, const Motion& motion, const Trian
     if (!internal::is_valid_query(volume, motion) || !internal::is_valid_triangle(triangle)) {
         return internal::blocked(HitStatus::invalid);
     }
-    return internal::sweep_triangle(volume, motion, triangle, 0, options.one_sided, trace);
+    return internal::sweep_triangle(volume, motion, triangle, 0, options.one_sided, 1, trace);
 }
 
 }  // namespace v0

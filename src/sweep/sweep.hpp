@@ -13,8 +13,9 @@ namespace surefoot::internal {
 /// Are volume and motion within the limits?
 [[nodiscard]] bool is_valid_query(const Volume& volume, const Motion& motion) noexcept;
 
-/// Requires: all arguments valid. `id` names the triangle in the hit and in the trace.
+/// Requires: all arguments valid. `id` names the triangle in the hit and in the trace. A hit after `limit` [0, 1] is
+/// of no interest: it may be reported or not.
 [[nodiscard]] std::optional<Hit> sweep_triangle(const Volume& volume, const Motion& motion, const Triangle& triangle,
-                                                std::uint32_t id, bool one_sided, Trace* trace) noexcept;
+                                                std::uint32_t id, bool one_sided, double limit, Trace* trace) noexcept;
 
 }  // namespace surefoot::internal
