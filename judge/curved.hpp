@@ -193,6 +193,16 @@ private:
         offer(b + outer, outer);
         const double inner = root(std::max(au, cv - b), cv + au, [&](double s) { return value(s, b + s) > 0; });
         offer(-inner, -b - inner);
+        // On an axis of the ellipse one pole is gone, and its two roots lie side by side.
+        const auto offer_pair = [&](double share, double half, double other, const auto& offer_one) {
+            const double rest = 1 - half * half * share * share;
+            if (!(rest >= 0) || !(other > 0)) return;
+            for (const double side : {1.0, -1.0}) offer_one(share, side * std::sqrt(rest) / other);
+        };
+        if (b > 0) {
+            offer_pair(wu / b, a, c, [&](double nu, double nv) { propose_rim_normal(w, u, v, nu, nv); });
+            offer_pair(-wv / b, c, a, [&](double nv, double nu) { propose_rim_normal(w, u, v, nu, nv); });
+        }
         const double up = std::cbrt(au * au), across = std::cbrt(cv * cv);
         if (up + across == 0) return;
         const double least_s = b * up / (up + across), least_m = b * across / (up + across);

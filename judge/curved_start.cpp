@@ -91,17 +91,49 @@ struct Band {
 constexpr Band quick_depth{-1, 1e-13}, quick_slope{-1, 1e-5};
 /// In 1280 bits a third of the digits is 2^-426, and some are lost on the way there.
 constexpr Band wide_band{0x1p-360, 0x1p-200};
+/// Two normals closer than this are one. [rad]
+constexpr double same_normal = 0x1p-180;
 
-/// Along a cap or a face the slope is a whole number: an ulp of zero counts there.
-template <class F>
-int sign_of_flat(const Exactly& exactly, const V3<F>& n) {
-    if (n.x == F(0) && n.z == F(0)) return n.y > F(0) ? sign_of(exactly.d.y) : -sign_of(exactly.d.y);
-    const V3<Dyadic> face = cross(exactly.w[1] - exactly.w[0], exactly.w[2] - exactly.w[0]);
-    const V3<F> normal = rounded<F>(face), aside = cross(n, normal);
-    const F size = length(normal);
-    if (!(size > F(0)) || length(aside) > F(wide_band.zero) * size) return 0;
-    const int slope = sign_of(dot(face, exactly.d));
-    return dot(n, normal) > F(0) ? slope : -slope;
+/// A normal made of whole products: the slope along it is told to the last bit, so that an ulp of zero counts there.
+struct FlatNormal {
+    V3<Big> n;  ///< of unit length
+    int slope;
+};
+
+/// Of caps, face, a side against an edge that it stands along, and a side or rim against a corner or an upright edge.
+std::vector<FlatNormal> flat_normals(const Exactly& at) {
+    std::vector<FlatNormal> flats;
+    const Dyadic zero;
+    const auto add_both = [&](const V3<Dyadic>& normal) {
+        V3<Big> n = rounded<Big>(normal);
+        const Big largest = std::max({magnitude(n.x), magnitude(n.y), magnitude(n.z)});
+        if (!(largest > Big(0))) return;
+        n = scaled(n, Big(1) / largest);
+        n = scaled(n, Big(1) / length(n));
+        const int slope = sign_of(dot(normal, at.d));
+        flats.push_back({n, slope});
+        flats.push_back({-n, -slope});
+    };
+    add_both({zero, Dyadic(1), zero});
+    add_both(cross(at.w[1] - at.w[0], at.w[2] - at.w[0]));
+    for (int i = 0; i < 3; ++i) {
+        const V3<Dyadic> edge = at.w[(i + 1) % 3] - at.w[i];
+        add_both({-edge.z, zero, edge.x});
+        add_both({at.w[i].x, zero, at.w[i].z});
+    }
+    return flats;
+}
+
+/// The slope along the flat normal that is the nearest to n, of those that n is one of but for rounding.
+int slope_along_flat(const std::vector<FlatNormal>& flats, const V3<Big>& n, int otherwise) {
+    Big nearest(same_normal);
+    for (const FlatNormal& flat : flats) {
+        const Big apart = length(n - flat.n);
+        if (!(apart < nearest)) continue;
+        nearest = apart;
+        otherwise = flat.slope;
+    }
+    return otherwise;
 }
 
 template <class F>
@@ -113,6 +145,9 @@ StartSigns decide(Kind kind, const Exactly& exactly, const Placed<F>& at, const 
         if (c.gap > best) best = c.gap;
     const F speed = length(at.d);
 
+    std::vector<FlatNormal> flats;
+    if constexpr (std::is_same_v<F, Big>) flats = flat_normals(exactly);
+
     // Of those that certainly are active, and of those that may be; what may be is no matter if all say the same.
     int certain = -2, highest = -2, lowest = 2;
     bool doubtful = false;
@@ -120,7 +155,9 @@ StartSigns decide(Kind kind, const Exactly& exactly, const Placed<F>& at, const 
         const int behind = depth.sign(F(best - c.gap), at.largest);
         if (behind == 1) continue;
         int here = slope.sign(dot(c.n, at.d), speed);
-        if (here == 0) here = sign_of_flat(exactly, c.n);
+        if constexpr (std::is_same_v<F, Big>) {
+            if (here == 0 || here == unsure) here = slope_along_flat(flats, c.n, here);
+        }
         doubtful = doubtful || here == unsure;
         highest = std::max(highest, here);
         lowest = std::min(lowest, here);
@@ -152,7 +189,11 @@ StartSigns curved_start(const Query& query, double t) {
 }
 
 Pass curved_pass(const Query& query) {
-    const Placed<Big> at(Exactly(query, 0));
+    const Exactly exactly(query, 0);
+    const Placed<Big> at(exactly);
+    const Placed<long double> rough(exactly);
+    // Long doubles see which normals may be the nearest; only those are followed in wide floats.
+    const double slack = 1e-9 * (to_double(rough.largest) + to_double(length(rough.d)));
     const Big speed = length(at.d), flat = Big(wide_band.zero) * speed;
     struct Side {
         V3<Big> n;
@@ -162,7 +203,11 @@ Pass curved_pass(const Query& query) {
     Big low(0), high(1), t(0);
     Pass pass;
     for (int round = 0; round < 250; ++round) {
-        const auto found = at.normals(query.kind, t, -HUGE_VAL);
+        double least_gap = -HUGE_VAL;
+        for (const auto& c : rough.normals(query.kind, to_double(t), -HUGE_VAL))
+            least_gap = std::max(least_gap, to_double(c.gap) - slack);
+        const auto found = at.normals(query.kind, t, least_gap);
+        if (found.empty()) return pass;
         const auto* best = &found.front();
         for (const auto& c : found)
             if (c.gap > best->gap) best = &c;
