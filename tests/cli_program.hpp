@@ -60,8 +60,8 @@ protected:
         const std::string in = write("stdin", input);
         const std::string out = (folder_ / "stdout").string();
         const std::string err = (folder_ / "stderr").string();
-        const std::string command =
-            "'" SUREFOOT_PROGRAM "' " + arguments + " <'" + in + "' >'" + out + "' 2>'" + err + "'";
+        const std::string command = "XDG_CACHE_HOME='" + (folder_ / "cache").string() + "' '" SUREFOOT_PROGRAM "' " +
+                                    arguments + " <'" + in + "' >'" + out + "' 2>'" + err + "'";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
     }

@@ -29,6 +29,7 @@ void add_overlap(CLI::App& program, Run& run);
 void add_ray(CLI::App& program, Run& run);
 void add_march(CLI::App& program, Run& run);
 void add_info(CLI::App& program, Run& run);
+void add_cook(CLI::App& program, Run& run);
 void add_export(CLI::App& program, Run& run);
 void add_tour(CLI::App& program, Run& run);
 void add_prove(CLI::App& program, Run& run);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <map>
+#include <utility>
 
 #include "command.hpp"
+#include "findings.hpp"
 #include "level.hpp"
 #include "number.hpp"
 #include "query.hpp"
@@ -38,6 +40,19 @@ Findings examine(const Mesh& mesh) {
     return findings;
 }
 
+/// Without the header, which is a few hundred.
+std::size_t file_bytes(const Mesh& mesh) {
+    std::size_t bytes = 0;
+    for (const Section& section : mesh.sections()) bytes += section.bytes.size();
+    return bytes;
+}
+
+CookReport report_of(const Level& level) {
+    auto report = cook_report(level.mesh);
+    if (!report) throw Failure{ExitCode::file, fmt::format("{}: {}", level.file, report.error().text)};
+    return std::move(*report);
+}
+
 std::string json_of(const Level& level, const Findings& findings) {
     const Bounds bounds = level.mesh.bounds();
     std::string out =
@@ -68,6 +83,16 @@ std::string json_of(const Level& level, const Findings& findings) {
     append_number(out, level.import_seconds);
     out += R"(,"build_seconds":)";
     append_number(out, level.build_seconds);
+    out += R"(,"open_seconds":)";
+    append_number(out, level.open_seconds);
+    out += fmt::format(R"(,"bytes":{},"sections":[)", file_bytes(level.mesh));
+    for (const Section& section : level.mesh.sections()) {
+        if (out.back() != '[') out += ',';
+        out += fmt::format(R"({{"owner":{},"name":{},"version":{},"made_from":"{:016x}","bytes":{}}})",
+                           json_string(std::string(section.owner)), json_string(std::string(section.name)),
+                           section.version, section.made_from, section.bytes.size());
+    }
+    out += R"(],"report":)" + findings_json(report_of(level));
     return out + "}\n";
 }
 
@@ -82,8 +107,13 @@ std::string text_of(const Level& level, const Findings& findings) {
     out += fmt::format("  to          {} m\n", short_vector(bounds.max));
     out += fmt::format("  size        {} x {} x {} m, {} m2 of surface\n", short_number(size.x), short_number(size.y),
                        short_number(size.z), short_number(findings.area));
-    out += fmt::format("  read in     {}, tree built in {}\n", duration(level.import_seconds),
-                       duration(level.build_seconds));
+    out += fmt::format("  time        {}\n", level.how_long());
+    if (const std::size_t bytes = file_bytes(level.mesh); bytes > 0) {
+        out += fmt::format("  file        {} bytes, {:.1f} a triangle\n", grouped(bytes),
+                           static_cast<double>(bytes) / static_cast<double>(level.mesh.triangle_count()));
+    }
+    constexpr std::size_t most_places = 3;
+    out += findings_text(report_of(level), most_places);
     const ImportNotes& notes = level.notes;
     if (notes.polygons_split > 0)
         out += fmt::format("  polygons    {} cut into triangles\n", grouped(notes.polygons_split));
@@ -99,6 +129,14 @@ std::string text_of(const Level& level, const Findings& findings) {
     Table surfaces({"surface", "triangles"});
     for (const auto& [surface, count] : findings.surfaces) surfaces.add({surface_text(level, surface), grouped(count)});
     if (!findings.surfaces.empty()) out += "\n" + surfaces.text();
+    if (level.open_seconds > 0) {
+        Table sections({"section", "version", "bytes"});
+        for (const Section& section : level.mesh.sections()) {
+            sections.add({fmt::format("{}/{}", section.owner, section.name), std::to_string(section.version),
+                          grouped(section.bytes.size())});
+        }
+        out += "\n" + sections.text();
+    }
     if (level.markers.empty()) return out;
     Table markers({"marker", "name", "at [m]"});
     for (const ImportedMarker& marker : level.markers)

@@ -1,12 +1,12 @@
 #include "level.hpp"
 
 #include <chrono>
-#include <filesystem>
 #include <fmt/format.h>
-#include <system_error>
+#include <utility>
 
 #include "command.hpp"
-#include "parse.hpp"
+#include "kitchen.hpp"
+#include "text.hpp"
 
 namespace surefoot::tools {
 namespace {
@@ -17,18 +17,30 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The file in the same folder whose name comes nearest, for people who mistype.
-std::string near_file(const std::filesystem::path& file) {
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::vector<std::string> names;
-    constexpr std::size_t most_names = 10000;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end;
-         !error && entry != end && names.size() < most_names; entry.increment(error))
-        names.push_back(entry->path().filename().string());
-    std::sort(names.begin(), names.end());
-    const std::string near = nearest_word(file.filename().string(), names);
-    return near.empty() ? near : (file.parent_path() / near).string();
+Level level_of(Mesh mesh, const std::string& file) {
+    auto notes = level_notes(mesh);
+    if (!notes) throw Failure{ExitCode::file, fmt::format("{}: {}", file, notes.error().text)};
+    const ImportNotes import_notes = import_notes_of(mesh);
+    return {.mesh = std::move(mesh),
+            .file = file,
+            .surface_names = std::move(notes->surface_names),
+            .markers = std::move(notes->markers),
+            .notes = import_notes};
+}
+
+Level open_level(const LevelOptions& options) {
+    if (options.scale || !options.up.empty() || options.tolerance || !options.solids.empty()) {
+        throw Failure{ExitCode::usage, fmt::format("{}: is cooked already; --scale, --up, --tolerance and --solids are "
+                                                   "for cooking: give them to `surefoot cook`",
+                                                   options.file)};
+    }
+    const Clock::time_point start = Clock::now();
+    Expected<Mesh> mesh = Mesh::open(options.file);
+    if (!mesh) throw Failure{ExitCode::file, with_near_file(mesh.error(), options.file)};
+    const double seconds = seconds_since(start);
+    Level level = level_of(std::move(*mesh), options.file);
+    level.open_seconds = seconds;
+    return level;
 }
 
 }  // namespace
@@ -36,15 +48,23 @@ std::string near_file(const std::filesystem::path& file) {
 void LevelOptions::add_to(CLI::App& command, const char* positional, bool required) {
     command
         .add_option(positional, file,
-                    "The level: .obj .gltf .glb .ply .stl .ac .blend .bsp .pk3 (FILE.pk3:MAP for one of several)")
+                    "The level: .surefoot, or .obj .gltf .glb .ply .stl .ac .blend .bsp .pk3 (FILE.pk3:MAP for one of "
+                    "several)")
         ->type_name("")
         ->required(required);
+    add_cooking_to(command);
+    command.add_flag("--no-cache", no_cache, "Read and cook the level anew, and keep nothing of it for the next time");
+}
+
+void LevelOptions::add_cooking_to(CLI::App& command) {
     command.add_option("--scale", scale, "Metres for one unit of the file (default: 1; 1/32 for .bsp and .pk3)")
         ->type_name("METRES");
     command.add_option("--up", up, "Which axis of the file points up: x, y or z (default: what its format says)")
         ->check(CLI::IsMember({"x", "y", "z"}));
     command
-        .add_option("--tolerance", tolerance, "How far triangles may lie from a curve [m] (default: 0.01; .bsp, .pk3)")
+        .add_option("--tolerance", tolerance,
+                    "How near vertices are one, and triangles to curves [m] (default: only what is at one place is "
+                    "one; curves 0.01)")
         ->type_name("METRES");
     command
         .add_option(
@@ -54,34 +74,50 @@ void LevelOptions::add_to(CLI::App& command, const char* positional, bool requir
         ->check(CLI::IsMember({"drawn", "brushes"}));
 }
 
-Level load_level(const LevelOptions& options) {
+ImportOptions LevelOptions::import_options() const {
     ImportOptions import;
-    import.scale = options.scale;
-    if (!options.up.empty()) import.up = options.up == "x" ? UpAxis::x : options.up == "y" ? UpAxis::y : UpAxis::z;
-    import.tolerance = options.tolerance;
-    if (options.solids == "brushes") import.quake3 = Quake3Solids::brushes;
-    const Clock::time_point start = Clock::now();
-    Expected<ImportedLevel> imported = import_level(options.file, import);
-    if (!imported) {
-        std::string text = imported.error().text;
-        std::error_code ignored;
-        if (imported.error().code == ErrorCode::not_found &&
-            !std::filesystem::exists(level_path(options.file).file, ignored))
-            if (const std::string near = near_file(options.file); !near.empty())
-                text += fmt::format("; did you mean '{}'?", near);
-        throw Failure{ExitCode::file, text};
+    import.scale = scale;
+    if (!up.empty()) import.up = up == "x" ? UpAxis::x : up == "y" ? UpAxis::y : UpAxis::z;
+    if (tolerance) import.tolerance = *tolerance;
+    if (solids == "brushes") import.quake3 = Quake3Solids::brushes;
+    return import;
+}
+
+std::string Level::how_long() const {
+    if (open_seconds > 0) return fmt::format("opened in {}, cooked before", duration(open_seconds));
+    return fmt::format("read in {}, cooked in {}", duration(import_seconds), duration(build_seconds));
+}
+
+Level load_level(const LevelOptions& options) {
+    if (is_cooked_name(options.file)) return open_level(options);
+    const ImportOptions import = options.import_options();
+    const auto made_from =
+        options.no_cache ? std::nullopt : hash_of_sources({options.file}, import, options.welding_tolerance());
+    if (made_from) {
+        const Clock::time_point start = Clock::now();
+        if (Expected<Mesh> mesh = open_cached(*made_from)) {
+            const double seconds = seconds_since(start);
+            Level level = level_of(std::move(*mesh), options.file);
+            level.open_seconds = seconds;
+            return level;
+        }
     }
+    const Clock::time_point start = Clock::now();
+    ImportedLevel imported = import_all({options.file}, import);
     const double import_seconds = seconds_since(start);
-    const Clock::time_point build_start = Clock::now();
-    Expected<Mesh> mesh = build_mesh(*imported);
-    if (!mesh) throw Failure{ExitCode::file, mesh.error().text};
-    return {.mesh = std::move(*mesh),
-            .file = options.file,
-            .surface_names = std::move(imported->surface_names),
-            .markers = std::move(imported->markers),
-            .notes = imported->notes,
-            .import_seconds = import_seconds,
-            .build_seconds = seconds_since(build_start)};
+    const Clock::time_point cook_start = Clock::now();
+    Cooked cooked = cook_imported(imported, options.welding_tolerance(), made_from.value_or(0));
+    const double build_seconds = seconds_since(cook_start);
+    const std::vector<std::byte> notes = to_bytes(imported.notes);
+    Section section = import_notes_section;
+    section.bytes = notes;
+    // Without a cache everything works; it only takes longer the next time.
+    if (made_from) static_cast<void>(write_cached(cooked.mesh, std::span(&section, 1)));
+    Level level = level_of(std::move(cooked.mesh), options.file);
+    level.notes = imported.notes;
+    level.import_seconds = import_seconds;
+    level.build_seconds = build_seconds;
+    return level;
 }
 
 std::string surface_name(const Level& level, std::uint32_t surface) {

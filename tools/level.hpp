@@ -16,10 +16,19 @@ struct LevelOptions {
     std::string file;
     std::optional<double> scale;
     std::string up;
-    double tolerance = 0.01;
+    std::optional<double> tolerance;
     std::string solids;
+    bool no_cache = false;
 
     void add_to(CLI::App& command, const char* positional = "LEVEL", bool required = true);
+
+    /// All but LEVEL and --no-cache.
+    void add_cooking_to(CLI::App& command);
+
+    [[nodiscard]] ImportOptions import_options() const;
+
+    /// How far cooking may move vertices [m]: not at all by default.
+    [[nodiscard]] double welding_tolerance() const { return tolerance.value_or(0); }
 };
 
 struct Level {
@@ -28,11 +37,16 @@ struct Level {
     std::vector<std::string> surface_names;  ///< by surface number; may be shorter than the numbers go
     std::vector<ImportedMarker> markers;
     ImportNotes notes;
-    double import_seconds = 0;  ///< reading the file [s]
-    double build_seconds = 0;   ///< building the mesh and its tree [s]
+    double import_seconds = 0;  ///< reading the file [s]; 0 if it was cooked before
+    double build_seconds = 0;   ///< cooking it [s]; 0 if it was cooked before
+    double open_seconds = 0;    ///< opening the cooked file [s]; 0 if there was none yet
+
+    /// "read in 36 ms, cooked in 20 ms", or how long opening took if it was cooked before.
+    [[nodiscard]] std::string how_long() const;
 };
 
-/// Reads a level; throws `Failure` with a sentence that names near file names when there is no such file.
+/// Opens a cooked level. Reads and cooks any other, and keeps it in the user's cache for the next time.
+/// Throws `Failure` with a sentence that names near file names when there is no such file.
 [[nodiscard]] Level load_level(const LevelOptions& options);
 
 /// The name of a surface, empty if it has none.

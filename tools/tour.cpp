@@ -346,9 +346,9 @@ ExitCode run_tour(TourOptionsGiven given) {
     Route route = find_route(level, walker, waypoints);
     const double found_in = std::chrono::duration<double>(Clock::now() - start).count();
     measure(level.mesh, walker, route);
-    write_out(fmt::format("{}: {} triangles, read in {}, tree built in {}, route found in {}\n{} goes for a walk:\n\n",
-                          level.file, grouped(level.mesh.triangle_count()), duration(level.import_seconds),
-                          duration(level.build_seconds), duration(found_in), describe(walker.volume)));
+    write_out(fmt::format("{}: {} triangles, {}, route found in {}\n{} goes for a walk:\n\n", level.file,
+                          grouped(level.mesh.triangle_count()), level.how_long(), duration(found_in),
+                          describe(walker.volume)));
     write_out(route_table(route) + "\n" + totals_text(route, level));
     if (given.no_pictures) return ExitCode::ok;
     std::error_code error;

@@ -16,11 +16,14 @@ struct Cell {
     std::int64_t x;
     std::int64_t y;
     std::int64_t z;
+
+    friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 class CornerGrid {
 public:
-    CornerGrid(const Soup& soup, const std::vector<std::uint32_t>& corners, double cell, double reach) : cell_(cell) {
+    CornerGrid(const Soup& soup, const std::vector<std::uint32_t>& corners, double cell, double reach)
+        : cell_(cell), per_metre_(1 / cell) {
         std::size_t size = 64;
         while (size < 2 * corners.size()) size *= 2;
         mask_ = size - 1;
@@ -41,20 +44,26 @@ public:
         corners_.resize(begin_[size]);
         std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
         each_cell([&](std::size_t bucket, std::uint32_t corner) { corners_[next[bucket]++] = corner; });
+        crowd_.assign(size / 4, 0);
+        for (std::size_t bucket = 0; bucket < size; ++bucket) {
+            const std::uint32_t count = std::min(begin_[bucket + 1] - begin_[bucket], 3U);
+            crowd_[bucket / 4] = static_cast<std::uint8_t>(crowd_[bucket / 4] | count << (2 * (bucket % 4)));
+        }
     }
 
     [[nodiscard]] Cell cell_at(const Vec& v) const noexcept {
         const auto down = [&](double x) {
-            const double scaled = x / cell_;
+            const double scaled = x * per_metre_;
             auto whole = static_cast<std::int64_t>(scaled);
             return static_cast<double>(whole) > scaled ? whole - 1 : whole;
         };
         return {down(v.x), down(v.y), down(v.z)};
     }
 
-    /// Those in this cell, and strangers whose cells have the same hash.
-    [[nodiscard]] std::span<const std::uint32_t> corners_in(const Cell& cell) const noexcept {
+    /// Those in this cell, and strangers whose cells have the same hash; none if there are no more than `known`.
+    [[nodiscard]] std::span<const std::uint32_t> corners_in(const Cell& cell, unsigned known) const noexcept {
         const std::size_t bucket = bucket_of(cell);
+        if ((crowd_[bucket / 4] >> (2 * (bucket % 4)) & 3U) <= known) return {};
         return std::span(corners_).subspan(begin_[bucket], begin_[bucket + 1] - begin_[bucket]);
     }
 
@@ -69,9 +78,11 @@ private:
     }
 
     double cell_;
+    double per_metre_;
     std::size_t mask_ = 0;
     std::vector<std::uint32_t> begin_;
     std::vector<std::uint32_t> corners_;
+    std::vector<std::uint8_t> crowd_;  // two bits a bucket: how many, up to 3. Small enough for a cache.
 };
 
 // Visits the cells from `a` to `b` in order; false when that is more than `most`.
@@ -174,8 +185,11 @@ void find_t_junctions(const Soup& soup, const EdgeMatches& matches, const CookOp
             const Vec& b = soup.corner(next_side(side));
             seen.clear();
             std::size_t asked = 0;
+            const Cell first = grid.cell_at(a);
+            const Cell last = grid.cell_at(b);
             const bool walked = walk(grid, a, b, longest_walk, [&](const Cell& cell) {
-                for (const std::uint32_t corner : grid.corners_in(cell)) {
+                const unsigned own_ends = (cell == first ? 1U : 0U) + (cell == last ? 1U : 0U);
+                for (const std::uint32_t corner : grid.corners_in(cell, own_ends)) {
                     if (++asked > most_corners) return;
                     if (corner == soup.indices[side] || corner == soup.indices[next_side(side)]) continue;
                     if (lies_on(soup.vertices[corner], a, b, options.tolerance)) seen.push_back(corner);

@@ -17,6 +17,7 @@
 #include <surefoot/error.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/mesh.hpp>
+#include <surefoot/notes.hpp>
 
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
@@ -63,24 +64,11 @@ struct ImportOptions {
     std::string importer{};
 };
 
-/// A run of triangles that had one name in the file: a node, an object or a group.
-struct ImportedPart {
-    std::string name;                  ///< as in the file, empty if it has none; names may repeat
-    std::uint32_t first_triangle = 0;  ///< id of its first triangle
-    std::uint32_t triangle_count = 0;  ///< at least 1; parts lie one after the other and cover all triangles
-};
+using ImportedPart = Part;
 
-/// A named place with meaning for the game: a spawn, a goal, a platform's path.
-///
 /// Every node with glTF `extras` becomes a marker, and so does an empty node (no mesh, no children) without any.
-struct ImportedMarker {
-    std::string name;               ///< the node's name, empty if it has none
-    std::string kind;               ///< `extras.surefoot.kind`, else `extras.kind`, if that is text; else empty
-    std::string extras;             ///< the node's extras, JSON text in the order of the file; empty if it has none
-    dvec3 position{0, 0, 0};        ///< in the level's axes [m]
-    dquat orientation{1, 0, 0, 0};  ///< unit; turns the node's own axes (+Y up) into the level's
-    dvec3 scale{1, 1, 1};  ///< along the node's own axes, `ImportOptions::scale` not counted; x < 0 if mirrored
-};
+/// `ImportOptions::scale` is not in the marker's own scale.
+using ImportedMarker = Marker;
 
 /// What reading a file left out or found odd. None of it is an error.
 struct ImportNotes {
