@@ -29,6 +29,10 @@ function(surefoot_target name)
     # The same bits everywhere: no contraction into fused multiply-add, whatever the target machine has.
     target_compile_options(${name} PRIVATE -ffp-contract=off -fno-fast-math
       -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # g++ 12 drops the rounding of double -> float -> double where its SLP vectoriser puts two of them side by side.
+      target_compile_options(${name} PRIVATE -fno-tree-slp-vectorize)
+    endif()
     if(SUREFOOT_WERROR)
       target_compile_options(${name} PRIVATE -Werror)
     endif()

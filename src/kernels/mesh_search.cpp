@@ -39,6 +39,21 @@ public:
         count_ = 0;
     }
 
+    // Hands on, one by one and the earliest first, those that may begin by `until`: what lies behind them cannot come
+    // before them.
+    void settle(float until) noexcept {
+        while (count_ > 0) {
+            std::size_t next = 0;
+            for (std::size_t i = 1; i < count_; ++i) {
+                if (candidates_[i].t < candidates_[next].t) next = i;
+            }
+            if (candidates_[next].t > until) return;
+            Candidate candidate = candidates_[next];
+            candidates_[next] = candidates_[--count_];
+            if (candidate.t <= search_.limit) search_.limit = search_.take(search_.context, {&candidate, 1});
+        }
+    }
+
 private:
     MeshSearch& search_;
     std::size_t count_ = 0;
@@ -138,7 +153,6 @@ public:
         return ++count_ == tree_width;
     }
 
-    template <bool long_motion>
     HWY_INLINE void filter(Outbox& out) noexcept {
         if (count_ == 0) return;
         for (std::size_t i = count_; i < tree_width; ++i) {
@@ -147,7 +161,12 @@ public:
             }
         }
         float times[tree_width];
-        std::uint32_t bits = survivors<long_motion>(search_.filter, corners_, from_size_, search_.limit, times);
+        const FilterTag d;
+        const auto load = [&](int i, std::size_t lane) HWY_ATTR {
+            return Vec3{hn::Load(d, corners_[i][0] + lane), hn::Load(d, corners_[i][1] + lane),
+                        hn::Load(d, corners_[i][2] + lane)};
+        };
+        std::uint32_t bits = survivors<false>(search_.filter, load, from_size_, search_.limit, times);
         bits &= (1U << count_) - 1;
         while (bits != 0) {
             const int lane = std::countr_zero(bits);
@@ -236,7 +255,7 @@ void SearchRegion(MeshSearch& search) {
             while (bits != 0) {
                 const auto slot = static_cast<std::uint32_t>(std::countr_zero(bits));
                 bits &= bits - 1;
-                if (batch.add(block, slot, leaves[i] << 3 | slot, from)) batch.template filter<false>(out);
+                if (batch.add(block, slot, leaves[i] << 3 | slot, from)) batch.filter(out);
             }
         }
         count = 0;
@@ -246,7 +265,7 @@ void SearchRegion(MeshSearch& search) {
         leaves[count++] = word;
     });
     look_into_leaves();
-    batch.template filter<false>(out);
+    batch.filter(out);
     out.flush();
 }
 
@@ -318,6 +337,33 @@ HWY_INLINE std::uint32_t children_along(const WideNode& node, const Slabs& slabs
     return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
 }
 
+// All triangles of a leaf at once.
+HWY_INLINE void filter_leaf(const MeshSearch& search, const LeafBlock& block, std::uint32_t word,
+                            const float (&from)[3], Outbox& out) noexcept {
+    const FilterTag d;
+    const hn::Rebind<std::int32_t, FilterTag> ints;
+    const hn::Rebind<std::uint8_t, FilterTag> bytes;
+    const auto load = [&](int i, std::size_t lane) HWY_ATTR {
+        // Behind the last triangle lie other bytes of the leaf, or the padding.
+        const auto named = hn::PromoteTo(ints, hn::LoadU(bytes, block.corner(i) + lane));
+        const auto is_sound = hn::Lt(named, hn::Set(ints, static_cast<std::int32_t>(block.vertices)));
+        const auto index = hn::IfThenElseZero(is_sound, named);
+        const auto at = [&](int axis) HWY_ATTR {
+            return hn::Sub(hn::GatherIndex(d, block.axis(axis), index), hn::Set(d, from[axis]));
+        };
+        return Vec3{at(0), at(1), at(2)};
+    };
+    const float from_size = std::max(std::abs(from[0]), std::max(std::abs(from[1]), std::abs(from[2])));
+    float times[tree_width];
+    std::uint32_t bits = survivors<true>(search.filter, load, from_size, search.limit, times);
+    bits &= (1U << block.count) - 1;
+    while (bits != 0) {
+        const auto slot = static_cast<std::uint32_t>(std::countr_zero(bits));
+        bits &= bits - 1;
+        out.add({times[slot], word << 3 | slot});
+    }
+}
+
 void SearchAlong(MeshSearch& search) {
     const MeshView& view = *search.view;
     if (view.nodes.empty()) return;
@@ -326,7 +372,6 @@ void SearchAlong(MeshSearch& search) {
         std::uint32_t child;
     };
     Outbox out(search);
-    Batch batch(search);
     const Slabs slabs = slabs_of(search);
     Entry stack[stack_size];
     std::size_t size = 0;
@@ -336,6 +381,7 @@ void SearchAlong(MeshSearch& search) {
     float from[3] = {};
     while (size > 0) {
         const Entry entry = stack[--size];
+        out.settle(entry.t);
         if (entry.t > search.limit) continue;
         if ((entry.child & leaf_bit) != 0) {
             const std::uint32_t word = entry.child & ~leaf_bit;
@@ -345,9 +391,7 @@ void SearchAlong(MeshSearch& search) {
                 tile = block.tile;
                 from_about(search, view.origin_of(tile), from);
             }
-            for (std::uint32_t slot = 0; slot < block.count; ++slot) batch.add(block, slot, word << 3 | slot, from);
-            batch.template filter<true>(out);
-            out.flush();
+            filter_leaf(search, block, word, from, out);
             continue;
         }
         const WideNode& node = view.nodes[entry.child];
@@ -381,6 +425,7 @@ void SearchAlong(MeshSearch& search) {
             }
         }
     }
+    out.flush();
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,8 +10,8 @@
 #include <surefoot/math.hpp>
 #include <surefoot/shapes.hpp>
 
-#include "tree/view.hpp"
 #include "query/reach.hpp"
+#include "tree/view.hpp"
 
 namespace surefoot::internal {
 

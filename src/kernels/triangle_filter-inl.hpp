@@ -38,6 +38,9 @@ struct Vec3 {
 HWY_INLINE Vec3 sub(const Vec3& a, const Vec3& b) noexcept {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
+HWY_INLINE Vec3 opposite(const Vec3& a) noexcept {
+    return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
 HWY_INLINE Vec3 times(const Vec3& a, Floats s) noexcept {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
@@ -156,10 +159,11 @@ HWY_INLINE Vec3 scaled(const ShapeFilter& filter, const Vec3& p) noexcept {
     return {row(0), row(1), row(2)};
 }
 
-// Which of eight triangles may be met, a bit each, and a time for each before which it is not.
-template <bool long_motion>
-HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const float (&corners)[3][3][tree_width], float from_size,
-                                   float limit, float (&times_out)[tree_width]) noexcept {
+// Which of eight triangles may be met, a bit each, and a time for each before which it is not. `load(i, lane)` gives
+// corner i of the triangles from `lane` on, relative to `from`, whose largest component is `from_size`.
+template <bool long_motion, class Load>
+HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const Load& load, float from_size, float limit,
+                                   float (&times_out)[tree_width]) noexcept {
     const FilterTag d;
     const auto zero = hn::Zero(d);
     const Vec3 centre = all_lanes(filter.centre);
@@ -170,8 +174,7 @@ HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const float (&corn
         auto far = zero;
         auto far_scaled = zero;
         for (int i = 0; i < 3; ++i) {
-            const Vec3 p{hn::Load(d, corners[i][0] + lane), hn::Load(d, corners[i][1] + lane),
-                         hn::Load(d, corners[i][2] + lane)};
+            const Vec3 p = load(i, lane);
             triangle.corner[i] = scaled(filter, p);
             far = hn::Max(far, size(p));
             far_scaled = hn::Max(far_scaled, size(triangle.corner[i]));
@@ -181,30 +184,42 @@ HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const float (&corn
         triangle.margin =
             hn::MulAdd(hn::Add(far_scaled, hn::Set(d, filter.motion_size + 2)), hn::Set(d, 0x1p-20F), input);
 
-        // From the nearest point of the triangle: to the shape in the middle of its motion or, where it goes far, to
-        // the line of its motion as seen along it.
-        Vec3 seen[3];
+        // From the nearest point of the triangle to the shape: in the middle of its motion and then where that point is
+        // nearest to the path or, where the motion is long, to its whole line as seen along it and then at its start.
+        const auto towards = [&](const Vec3& place) HWY_ATTR {
+            const Vec3 seen[3] = {sub(triangle.corner[0], place), sub(triangle.corner[1], place),
+                                  sub(triangle.corner[2], place)};
+            return nearest_to_origin(seen);
+        };
+        const auto squared = hn::Max(inner(triangle.motion, triangle.motion), hn::Set(d, 1e-30F));
+        Vec3 first{};
+        Vec3 second{};
         if constexpr (long_motion) {
-            const auto squared = hn::Max(inner(triangle.motion, triangle.motion), hn::Set(d, 1e-30F));
+            Vec3 seen[3];
             for (int i = 0; i < 3; ++i) {
                 const Vec3 relative = sub(triangle.corner[i], centre);
                 const auto share = hn::Neg(hn::Div(inner(relative, triangle.motion), squared));
                 seen[i] = add_times(relative, triangle.motion, share);
             }
+            first = nearest_to_origin(seen);
+            second = towards(centre);
         } else {
-            const Vec3 middle = add_times(centre, triangle.motion, hn::Set(d, 0.5F));
-            for (int i = 0; i < 3; ++i) seen[i] = sub(triangle.corner[i], middle);
+            first = towards(add_times(centre, triangle.motion, hn::Set(d, 0.5F)));
+            const auto past_middle = hn::Div(inner(first, triangle.motion), squared);
+            const auto share = hn::Min(hn::Set(d, 1.0F), hn::Max(zero, hn::Add(past_middle, hn::Set(d, 0.5F))));
+            second = towards(add_times(centre, triangle.motion, share));
         }
-        const Vec3 nearest = nearest_to_origin(seen);
-        const Gaps aside = ask(filter, triangle, {hn::Neg(nearest.x), hn::Neg(nearest.y), hn::Neg(nearest.z)});
+        const Gaps aside = ask(filter, triangle, opposite(first));
+        const Gaps then = ask(filter, triangle, opposite(second));
         // From the triangle's own plane, on the side where the shape begins.
         Vec3 normal = outer(sub(triangle.corner[1], triangle.corner[0]), sub(triangle.corner[2], triangle.corner[0]));
         const auto behind = hn::Lt(inner(normal, sub(centre, triangle.corner[0])), zero);
-        normal = choose(behind, {hn::Neg(normal.x), hn::Neg(normal.y), hn::Neg(normal.z)}, normal);
+        normal = choose(behind, opposite(normal), normal);
         const Gaps face = ask(filter, triangle, normal);
 
-        const auto t = hn::Max(aside.t, face.t);
-        const auto out = hn::Or(hn::Or(aside.apart, face.apart), hn::Gt(t, hn::Set(d, limit)));
+        const auto t = hn::Max(then.t, hn::Max(aside.t, face.t));
+        const auto apart = hn::Or(then.apart, hn::Or(aside.apart, face.apart));
+        const auto out = hn::Or(apart, hn::Gt(t, hn::Set(d, limit)));
         hn::StoreU(t, d, times_out + lane);
         std::uint8_t mask[8] = {};
         hn::StoreMaskBits(d, out, mask);
