@@ -160,7 +160,7 @@ TEST(Cook, neighbouring_tiles_share_the_same_real_points) {
 }
 
 TEST(Cook, a_ray_goes_through_no_seam_between_tiles) {
-    const Level level = hills(40, 200, {-4000, 0, -4000});
+    const Level level = hills(40, 200.1, {-4000, 0, -4000});
     const Cooked made = cooked(level);
     ASSERT_GT(made.report.tiles, 1U);
     SplitMix random(2);
@@ -171,6 +171,16 @@ TEST(Cook, a_ray_goes_through_no_seam_between_tiles) {
         const dvec3 above = i % 2 == 0 ? dvec3(seam, 50, along) : dvec3(along, 50, seam);
         EXPECT_TRUE(made.mesh.ray({above, above - dvec3(0, 100, 0)}).has_value()) << above.x << " " << above.z;
     }
+}
+
+TEST(Cook, floats_stay_what_they_are_however_far_out) {
+    const Cooked made = cook_these({{1e-30, 16777216, 0}, {0.25, -1e8, 3}, {9, 9, 9}}, {0, 1, 2});
+    EXPECT_GT(made.report.largest_move, 0);  // 1e-30 is no float
+    const std::vector<dvec3> floats{dvec3(vec3(1e-30F, 16777216, 0)), dvec3(vec3(0.1F, -1e8F, 3)), {9, 9, 9}};
+    const Cooked kept = cook_these(floats, {0, 1, 2});
+    EXPECT_EQ(kept.report.vertices_moved, 0U);
+    EXPECT_EQ(kept.mesh.triangle(0).a, floats[0]);
+    EXPECT_EQ(kept.mesh.triangle(0).b, floats[1]);
 }
 
 TEST(Cook, triangles_larger_than_a_tile_are_rounded_more_coarsely_but_together) {
@@ -193,7 +203,7 @@ TEST(Cook, a_level_far_from_the_origin_is_as_fine_as_one_at_it) {
 }
 
 TEST(Cook, the_number_of_threads_changes_nothing) {
-    const Level level = hills(64, 30);
+    const Level level = hills(64, 30.1);
     const auto bytes_with = [&](int threads) {
         const Mesh mesh = cooked(level, {.threads = threads}).mesh;
         Bytes bytes;

@@ -102,10 +102,10 @@ struct Cooked {
 
 /// Cooks a level. Up to 2 seconds per million triangles.
 ///
-/// Guarantees: triangle ids are the order of the triangles in the input. Within 1024 m of the origin, vertices are the
-/// floats nearest to those given. A level that reaches farther is cut into tiles of 1024 m, and its vertices are
-/// rounded to multiples of 2^-14 m (0.06 mm; coarser only for triangles larger than a tile), so that a vertex is the
-/// same real point in every tile. The same input gives the same mesh on every machine.
+/// Guarantees: triangle ids are the order of the triangles in the input. Vertices that are floats stay what they are.
+/// Others become the nearest floats if the level lies within 1024 m of its origin; else it is cut into tiles of 1024 m,
+/// and vertices are rounded to multiples of 2^-14 m (0.06 mm; coarser only for triangles larger than a tile), so that a
+/// vertex is the same real point in every tile. The same input gives the same mesh on every machine.
 ///
 /// Fails with `invalid` as `Mesh::build` does, and for options out of range; with `limit` beyond 2^30 triangles.
 [[nodiscard]] Expected<Cooked> cook(const CookInput& input, const CookOptions& options = {});

@@ -97,8 +97,12 @@ Tiles one_tile(Soup& soup, CookReport& report) {
 
 Tiles cut_into_tiles(Soup& soup, CookReport& report) {
     double reach = 0;
-    for (const Vec& v : soup.vertices) reach = larger(reach, largest(v));
-    if (reach <= tile_size) return one_tile(soup, report);
+    bool floats = true;  // then tiles could only make them coarser
+    for (const Vec& v : soup.vertices) {
+        reach = larger(reach, largest(v));
+        floats = floats && to_vec(dvec3(to_floats(v))) == v;
+    }
+    if (floats || reach <= tile_size) return one_tile(soup, report);
 
     double size = tile_size;
     Assignment assignment = assign(soup, size);
