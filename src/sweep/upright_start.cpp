@@ -181,6 +181,7 @@ public:
         start.propose(active, &roots);
         // What doubles took for on the axis, or for a root, may not be there at all.
         if (start.count() == 0) start.propose();
+        if (start.nearest().gap > hair_) start.propose_outside();
         const Real least = start.nearest().gap - hair_;
         for (int i = 0; i < start.count(); ++i) {
             const auto& plane = start.plane(i);
@@ -197,12 +198,13 @@ private:
     static Slope slope_of(const UprightStart<Real>& start, int i, const Slope (&slopes)[UprightSlot::count],
                           const Real& least) noexcept {
         const auto& plane = start.plane(i);
-        Slope known = slopes[plane.slot];
+        Slope known = plane.slot == UprightSlot::outside ? Slope::unknown : slopes[plane.slot];
         if (known != Slope::unknown) return known;
         Real nearest(0x1p-320);
         for (int k = 0; k < start.count(); ++k) {
             const auto& other = start.plane(k);
-            if (slopes[other.slot] == Slope::unknown || other.gap < least) continue;
+            if (other.slot == UprightSlot::outside || slopes[other.slot] == Slope::unknown) continue;
+            if (other.gap < least) continue;
             const ExactVec<Real> apart = other.normal - plane.normal;
             const Real squared = dot(apart, apart);
             if (!(squared < nearest)) continue;

@@ -37,6 +37,7 @@ struct UprightSlot {
     static constexpr int side_of_vertex = 2;
     static constexpr int about_axis = 3;
     static constexpr int rim = 4;
+    static constexpr int outside = count;  ///< what only a shape that is apart can be nearest along
     static constexpr std::uint32_t all = (1U << count) - 1;
 
     [[nodiscard]] static constexpr int of_edge(int edge, int which) noexcept {
@@ -100,6 +101,27 @@ public:
                 rim_ = 2 * i + rim;
                 add_rim_against_edge(corners_[i], edge, rim == 0 ? shape_.height : -shape_.height);
             }
+        }
+    }
+
+    /// Proposes the normals along which a shape that is apart can be nearest and one in touch cannot be the least deep:
+    /// a cone's apex against corners and edges, and the rims against corners.
+    void propose_outside() noexcept {
+        slot_ = UprightSlot::outside;
+        doubt_ = 1;
+        for (int i = 0; i < 3; ++i) {
+            const ExactVec<Scalar>& corner = corners_[i];
+            if (shape_.is_cone) {
+                add(-corner);
+                const ExactVec<Scalar> edge = corners_[(i + 1) % 3] - corner;
+                const Scalar share = dot(corner, edge);
+                add(edge * share - corner * dot(edge, edge));
+            }
+            const Scalar sideways = square_root(corner.x * corner.x + corner.z * corner.z);
+            if (sign_of(sideways) == 0) continue;
+            const Scalar inward = shape_.radius / sideways - Scalar(1.0);
+            add({corner.x * inward, shape_.height - corner.y, corner.z * inward});
+            if (!shape_.is_cone) add({corner.x * inward, -shape_.height - corner.y, corner.z * inward});
         }
     }
 
@@ -314,7 +336,7 @@ private:
         return is_sound ? smaller(1, 2 * (turn + 2 * hair_ / sideways)) : 1;
     }
 
-    static constexpr int most = 40;
+    static constexpr int most = 48;
     static constexpr int newton_steps = 64;
 
     ExactVec<Scalar> corners_[3];
