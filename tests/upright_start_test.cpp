@@ -173,6 +173,16 @@ TEST(UprightStart, an_ulp_of_zero_away_from_a_cap_is_no_hit) {
     }
 }
 
+TEST(UprightStart, apart_by_an_ulp_the_apex_itself_decides) {
+    Query query =
+        query_of(Kind::cone, 6.25, 6.25, {-2, 6, -4.000000000000001}, {-2.0000000000000004, 6, -4.000000000000001});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {-2, 6, -4}, {-4, -346, 460}, {-4, 164, 390});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+}
+
 /// Standing shapes whose lowest points are `up` below the reference point.
 struct Standing {
     Kind kind;
