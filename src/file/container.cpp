@@ -45,6 +45,7 @@ Expected<Container> Container::parse(std::span<const std::byte> bytes, std::stri
     if (!machine_fits)
         return fail(ErrorCode::unsupported, 0, "is little-endian, which this machine cannot use where it lies");
     FileHeader header;
+    if (bytes.empty()) return fail(ErrorCode::unreadable, 0, "is empty");
     if (std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) != 0)
         return fail(ErrorCode::unreadable, 0, "is not a .surefoot file, or was transferred as text");
     if (bytes.size() < sizeof(header)) return fail(ErrorCode::unreadable, bytes.size(), "ends within its header");
