@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each target, so no header below may be left unguarded
 #include <hwy/highway.h>
 
+#include "kernels/boxes-inl.hpp"
 #include "kernels/triangle_filter-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,81 +60,6 @@ private:
     std::size_t count_ = 0;
     Candidate candidates_[most_candidates];
 };
-
-// The region, rounded outwards, relative to a tile.
-struct FloatRegion {
-    float min[3];
-    float max[3];
-};
-
-HWY_INLINE float rounded_down(double s) noexcept {
-    const auto f = static_cast<float>(s);
-    return static_cast<double>(f) <= s ? f : std::nextafterf(f, -HUGE_VALF);
-}
-HWY_INLINE float rounded_up(double s) noexcept {
-    return -rounded_down(-s);
-}
-
-HWY_INLINE FloatRegion region_about(const Box3& box, const Vec& origin) noexcept {
-    // The difference with an origin other than zero is rounded once; the extent has a margin that is far larger.
-    return {
-        {rounded_down(box.min.x - origin.x), rounded_down(box.min.y - origin.y), rounded_down(box.min.z - origin.z)},
-        {rounded_up(box.max.x - origin.x), rounded_up(box.max.y - origin.y), rounded_up(box.max.z - origin.z)}};
-}
-
-template <class D>
-HWY_INLINE hn::Vec<D> decoded(D d, const WideNode& node, int axis, const std::uint8_t* q) noexcept {
-    const hn::Rebind<std::uint8_t, D> bytes;
-    const hn::Rebind<std::int32_t, D> ints;
-    const auto steps = hn::ConvertTo(d, hn::PromoteTo(ints, hn::LoadU(bytes, q)));
-    return hn::Add(hn::Set(d, node.origin[axis]), hn::Mul(steps, hn::Set(d, node.step(axis))));
-}
-
-// Which children's boxes meet the region: a bit each.
-HWY_INLINE std::uint32_t children_in(const WideNode& node, const FloatRegion& region) noexcept {
-    const hn::CappedTag<float, tree_width> d;
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < tree_width; i += hn::Lanes(d)) {
-        auto meets = hn::FirstN(d, hn::Lanes(d));
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto low = decoded(d, node, axis, node.low[axis] + i);
-            const auto high = decoded(d, node, axis, node.high[axis] + i);
-            meets = hn::And(
-                meets, hn::And(hn::Le(low, hn::Set(d, region.max[axis])), hn::Ge(high, hn::Set(d, region.min[axis]))));
-        }
-        std::uint8_t mask[8] = {};
-        hn::StoreMaskBits(d, meets, mask);
-        bits |= (mask[0] & ((1U << hn::Lanes(d)) - 1)) << i;
-    }
-    return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
-}
-
-// Which triangles of a leaf have a box that meets the region, a bit each: those whose three vertices are not all beyond
-// the same side of it.
-HWY_INLINE std::uint32_t triangles_in(const LeafBlock& block, const FloatRegion& region) noexcept {
-    const hn::CappedTag<float, tree_width> d;
-    const hn::Rebind<std::int32_t, decltype(d)> ints;
-    const hn::Rebind<std::uint8_t, decltype(d)> bytes;
-    alignas(16) std::uint8_t beyond[32];
-    for (std::size_t i = 0; i < block.vertices; i += hn::Lanes(d)) {
-        auto sides = hn::Zero(ints);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto at = hn::LoadU(d, block.axis(axis) + i);
-            const auto below = hn::RebindMask(ints, hn::Lt(at, hn::Set(d, region.min[axis])));
-            const auto above = hn::RebindMask(ints, hn::Gt(at, hn::Set(d, region.max[axis])));
-            sides = hn::Or(sides, hn::Or(hn::IfThenElseZero(below, hn::Set(ints, 1 << (2 * axis))),
-                                         hn::IfThenElseZero(above, hn::Set(ints, 2 << (2 * axis)))));
-        }
-        hn::StoreU(hn::DemoteTo(bytes, sides), bytes, beyond + i);
-    }
-    std::uint32_t bits = 0;
-    for (std::uint32_t slot = 0; slot < block.count; ++slot) {
-        std::uint8_t all = 0xff;
-        for (int i = 0; i < 3; ++i) all &= beyond[block.corner(i)[slot] & 31];
-        bits |= static_cast<std::uint32_t>(all == 0) << slot;
-    }
-    return bits;
-}
 
 // The corners of up to eight triangles, relative to `from`, on their way into the filter.
 class Batch {
@@ -283,58 +209,6 @@ void SearchBoxes(MeshSearch& search) {
         }
     });
     out.flush();
-}
-
-// A motion as the slab test wants it: a box is entered at (low - reach_high - from) / along, and so on.
-struct Slabs {
-    float below[3];  // from + the shape's high side, to be taken from a box's low side
-    float above[3];  // from + the shape's low side
-    float per_along[3];
-};
-
-HWY_INLINE Slabs slabs_of(const MeshSearch& search) noexcept {
-    Slabs slabs;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<glm::length_t>(axis);
-        const double from = search.motion.from[i];
-        const double along = search.motion.to[i] - from;
-        const Vec& low = search.extent.min;
-        const Vec& high = search.extent.max;
-        const double low_side = axis == 0 ? low.x : (axis == 1 ? low.y : low.z);
-        const double high_side = axis == 0 ? high.x : (axis == 1 ? high.y : high.z);
-        // Rounding in what follows: of three sums, a product and a quotient.
-        const double margin = 0x1p-20 * (absolute(from) + absolute(along) + magnitude_of(search.view->bounds));
-        slabs.below[axis] = rounded_up(from + high_side + margin);
-        slabs.above[axis] = rounded_down(from + low_side - margin);
-        const double least = 1e-30;  // less is standing still
-        slabs.per_along[axis] = static_cast<float>(absolute(along) < least ? 1e30 : 1 / along);
-    }
-    return slabs;
-}
-
-// Which children's boxes the motion may enter before the limit, a bit each, and when.
-HWY_INLINE std::uint32_t children_along(const WideNode& node, const Slabs& slabs, float limit,
-                                        float (&times)[tree_width]) noexcept {
-    const hn::CappedTag<float, tree_width> d;
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < tree_width; i += hn::Lanes(d)) {
-        auto enter = hn::Zero(d);
-        auto leave = hn::Set(d, limit);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto per_along = hn::Set(d, slabs.per_along[axis]);
-            const auto low =
-                hn::Mul(hn::Sub(decoded(d, node, axis, node.low[axis] + i), hn::Set(d, slabs.below[axis])), per_along);
-            const auto high =
-                hn::Mul(hn::Sub(decoded(d, node, axis, node.high[axis] + i), hn::Set(d, slabs.above[axis])), per_along);
-            enter = hn::Max(enter, hn::Min(low, high));
-            leave = hn::Min(leave, hn::Max(low, high));
-        }
-        hn::StoreU(enter, d, times + i);
-        std::uint8_t mask[8] = {};
-        hn::StoreMaskBits(d, hn::Le(enter, leave), mask);
-        bits |= (mask[0] & ((1U << hn::Lanes(d)) - 1)) << i;
-    }
-    return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
 }
 
 // All triangles of a leaf at once.

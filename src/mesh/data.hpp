@@ -45,8 +45,7 @@ struct Mesh::Data {
         data->mapped_.emplace(std::move(mapped));
         return data;
     }
-    static Data* over(internal::OwnedBytes&& bytes, internal::Container&& container,
-                      const internal::MeshView& within) {
+    static Data* over(internal::OwnedBytes&& bytes, internal::Container&& container, const internal::MeshView& within) {
         Data* const data = over(std::move(container), within);
         data->bytes_ = std::move(bytes);
         return data;

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "query/reach.hpp"
 #include "tree/binary_tree.hpp"
 #include "tree/view.hpp"
-#include "query/reach.hpp"
 
 namespace surefoot::internal {
 
