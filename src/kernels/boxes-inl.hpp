@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/mesh_search.hpp"
+#include "rounded.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace surefoot::internal {
@@ -24,19 +25,12 @@ struct FloatRegion {
     float max[3];
 };
 
-HWY_INLINE float rounded_down(double s) noexcept {
-    const auto f = static_cast<float>(s);
-    return static_cast<double>(f) <= s ? f : std::nextafterf(f, -HUGE_VALF);
-}
-HWY_INLINE float rounded_up(double s) noexcept {
-    return -rounded_down(-s);
-}
-
 HWY_INLINE FloatRegion region_about(const Box3& box, const Vec& origin) noexcept {
     // The difference with an origin other than zero is rounded once; the extent has a margin that is far larger.
     return {
-        {rounded_down(box.min.x - origin.x), rounded_down(box.min.y - origin.y), rounded_down(box.min.z - origin.z)},
-        {rounded_up(box.max.x - origin.x), rounded_up(box.max.y - origin.y), rounded_up(box.max.z - origin.z)}};
+        {float_at_most(box.min.x - origin.x), float_at_most(box.min.y - origin.y), float_at_most(box.min.z - origin.z)},
+        {float_at_least(box.max.x - origin.x), float_at_least(box.max.y - origin.y),
+         float_at_least(box.max.z - origin.z)}};
 }
 
 template <class D>
@@ -112,8 +106,8 @@ HWY_INLINE Slabs slabs_of(const MeshSearch& search) noexcept {
         const double high_side = axis == 0 ? high.x : (axis == 1 ? high.y : high.z);
         // Rounding in what follows: of three sums, a product and a quotient.
         const double margin = 0x1p-20 * (absolute(from) + absolute(along) + magnitude_of(search.view->bounds));
-        slabs.below[axis] = rounded_up(from + high_side + margin);
-        slabs.above[axis] = rounded_down(from + low_side - margin);
+        slabs.below[axis] = float_at_least(from + high_side + margin);
+        slabs.above[axis] = float_at_most(from + low_side - margin);
         const double least = 1e-30;  // less is standing still
         slabs.per_along[axis] = static_cast<float>(absolute(along) < least ? 1e30 : 1 / along);
     }

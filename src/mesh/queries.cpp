@@ -1,7 +1,6 @@
 // Every query of a mesh is: which triangles may matter, the exact answer of each, and one of many. Only the first part
 // knows the tree, and may take it wider than need be.
 #include <algorithm>
-#include <cmath>
 
 #include <surefoot/mesh.hpp>
 #include <surefoot/ray.hpp>
@@ -12,6 +11,7 @@
 #include "mesh/data.hpp"
 #include "query/answers.hpp"
 #include "query/reach.hpp"
+#include "rounded.hpp"
 #include "sweep/sweep.hpp"
 #include "tree/scalar_search.hpp"
 
@@ -25,11 +25,6 @@ namespace {
 // Every coordinate that takes part in a query on a mesh is at most this.
 double magnitude_in(const MeshView& view, const Motion& motion) noexcept {
     return larger(internal::magnitude_of(motion), internal::magnitude_of(view.bounds));
-}
-
-float rounded_up(double t) noexcept {
-    const auto f = static_cast<float>(t);
-    return static_cast<double>(f) < t ? std::nextafterf(f, 2) : f;
 }
 
 // Asks triangles one at a time, in whatever order they come. Query has
@@ -95,7 +90,7 @@ private:
             *next = candidates.back();
             candidates = candidates.first(candidates.size() - 1);
         }
-        return rounded_up(query_.limit());
+        return float_at_least(query_.limit());
     }
 
     const MeshView& view_;

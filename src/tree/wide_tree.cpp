@@ -13,7 +13,7 @@ namespace {
 // What it costs to look into a node, into a leaf, and at one of its triangles.
 constexpr float node_cost = 1.0F;
 constexpr float leaf_cost = 1.0F;
-constexpr float triangle_cost = 0.1F;
+constexpr float triangle_cost = 0.03F;
 
 // The cheapest way to stand for a subtree with at most i roots, i = 1 ... 8.
 struct Plan {
