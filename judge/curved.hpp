@@ -234,9 +234,12 @@ private:
     void propose_root(const RimSlope& slope, double near) {
         F tau(near);
         double last = 0, ratio = 0;
-        const F noise = is_wide ? (magnitude(slope.w.x) + magnitude(slope.w.y) + magnitude(slope.w.z) + slope.radius) *
-                                      F(0x1p-610) * F(0x1p-610)
-                                : F(0);
+        F noise(0);
+        if constexpr (is_wide) {
+            const F least(0x1p-1000);
+            noise = (magnitude(slope.w.x) + magnitude(slope.w.y) + magnitude(slope.w.z) + slope.radius) * least *
+                    least * F(0x1p-480);
+        }
         for (int polish = 0; polish < (is_wide ? 100 : 3); ++polish) {
             F derivative(0);
             const F value = slope.value(tau, &derivative);

@@ -89,7 +89,8 @@ struct Band {
 /// Long doubles tell two depths apart by their last digits, but a normal at a rim is good to far fewer (to a third of
 /// them where three roots meet), so only plain slopes are theirs to decide.
 constexpr Band quick_depth{-1, 1e-13}, quick_slope{-1, 1e-5};
-/// In 1280 bits a third of the digits is 2^-426, and some are lost on the way there.
+/// In 2560 bits a third of the digits is 2^-853, and some are lost on the way there: where an edge passes the apex by
+/// an ulp of zero, 1100 of them.
 constexpr Band wide_band{0x1p-360, 0x1p-200};
 /// Two normals closer than this are one. [rad]
 constexpr double same_normal = 0x1p-180;
@@ -158,15 +159,20 @@ StartSigns decide(Kind kind, const Exactly& exactly, const Placed<F>& at, const 
         if constexpr (std::is_same_v<F, Big>) {
             if (here == 0 || here == unsure) here = slope_along_flat(flats, c.n, here);
         }
-        doubtful = doubtful || here == unsure;
+        if (here == unsure) {
+            doubtful = true;
+            continue;
+        }
         highest = std::max(highest, here);
         lowest = std::min(lowest, here);
         if (behind == 0) certain = std::max(certain, here);
     }
+    // Nothing is higher than 1; anything else a slope in doubt may change.
     StartSigns signs;
     signs.g = to_double(best);
     signs.depth = depth.sign(best, at.largest);
-    signs.slope = !doubtful && (certain == highest || lowest == highest) ? highest : unsure;
+    const bool is_told = certain == 1 || (!doubtful && (certain == highest || lowest == highest));
+    signs.slope = is_told ? highest : unsure;
     return signs;
 }
 

@@ -1,4 +1,4 @@
-/// The floats that propose: double, a quadruple, and GMP's floats of 1280 bits. Proposals need not be right, so nothing
+/// The floats that propose: double, a quadruple, and GMP's floats of 2560 bits. Proposals need not be right, so nothing
 /// here is rigorous; what they propose is checked in intervals and exact numbers.
 #pragma once
 
@@ -43,10 +43,10 @@ inline Quad root_of(Quad a) {
 }
 #endif
 
-/// A float of 1280 bits that behaves like a built-in one.
+/// A float of 2560 bits that behaves like a built-in one.
 class Big {
 public:
-    static constexpr mp_bitcnt_t bits = 1280;
+    static constexpr mp_bitcnt_t bits = 2560;
     Big() : v_(0, bits) {}
     Big(double a) : v_(a, bits) {}
     explicit Big(const mpf_class& v) : v_(v, bits) {}

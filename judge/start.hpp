@@ -19,7 +19,7 @@ struct StartSigns {
 /// For sphere, ellipsoid, capsule and box: exact.
 [[nodiscard]] StartSigns polytope_start(const Query& query, double t);
 
-/// For cylinder and cone: in long doubles if they are clear, else in floats of 1280 bits. There a depth or slope below
+/// For cylinder and cone: in long doubles if they are clear, else in floats of 2560 bits. There a depth or slope below
 /// 2^-360 of the largest number or of the motion counts as zero; one between that and 2^-200 is `unsure`.
 [[nodiscard]] StartSigns curved_start(const Query& query, double t);
 
@@ -30,7 +30,7 @@ struct Pass {
     int count = 0;
 };
 
-/// In floats of 1280 bits: every normal bounds the times at which the two may meet, until none are left or they do.
+/// In floats of 2560 bits: every normal bounds the times at which the two may meet, until none are left or they do.
 [[nodiscard]] Pass curved_pass(const Query& query);
 
 }  // namespace judge

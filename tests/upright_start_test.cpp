@@ -183,6 +183,50 @@ TEST(UprightStart, apart_by_an_ulp_the_apex_itself_decides) {
     EXPECT_EQ(asked.verdict, Verdict::right);
 }
 
+TEST(UprightStart, apart_by_an_ulp_a_rim_is_nearest_a_level_edge_and_leaves) {
+    Query query = query_of(Kind::cone, 40, 32, {256, -256, 64}, {512.0000000000001, 8064, -1344});
+    turn(query, 1, 0, 1, 0);
+    corners(query, {-287.99999999999994, -224, 856}, {3104, -864, 600}, {864, -224, -680});
+    const Asked asked = ask(query);
+    EXPECT_FALSE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+}
+
+TEST(UprightStart, an_ulp_of_zero_nearer_a_level_normal_of_a_rim_is_a_hit) {
+    Query first = query_of(Kind::cone, 90, 126, {-5e-324, -131072, 98304}, {15.5, -131023.25, 98285});
+    turn(first, 1, 2, 2, 0);
+    corners(first, {720, -129018, 97426}, {-416, -133178, 99154}, {568, -130642, 98082});
+    Query second = query_of(Kind::cone, 0.1953125, 0.15625, {-5e-324, -4, 2}, {0.000274658203125, -4, 1.9993896484375});
+    turn(second, 2, 1, 0, 0);
+    corners(second, {102.15625, 236.5, 96.1953125}, {395.65625, 693.5, 192.1953125}, {-101.84375, -244.5, -91.8046875});
+    for (const Query& query : {first, second}) {
+        const Asked asked = ask(query);
+        EXPECT_TRUE(asked.answer.hit);
+        EXPECT_EQ(asked.verdict, Verdict::right);
+        EXPECT_EQ(verdict_of_the_opposite(query, asked.answer), Verdict::miss);
+    }
+}
+
+TEST(UprightStart, an_edge_that_passes_the_apex_by_an_ulp_of_zero_is_judged) {
+    Query first = query_of(Kind::cone, 0.390625, 0.46875, {-1536, 1024, -5e-324},
+                           {-1536.0068664550781, 1024.0032043457031, 0.000457763671875});
+    turn(first, 2, 1, 0, 0);
+    corners(first, {-1532.484375, 1022.359375, -0.234375}, {-1539.515625, 1025.640625, 0.234375},
+            {-1537.484375, 1023.9375, -0.34375});
+    Query second =
+        query_of(Kind::cone, 2.8125, 1.6875, {5e-324, -0.125, 0.1875}, {5e-324, -0.125, 0.18749999999999997});
+    turn(second, 1, 2, 2, 0);
+    corners(second, {0, 19.875, -4.8125}, {0, -20.125, 5.1875}, {-6, -1.125, -7.8125});
+    Query third = query_of(Kind::cone, 0.1953125, 0.1953125, {-1, 0, 5e-324}, {-1, 5e-324, 5e-324});
+    turn(third, 3, 1, 0, 0);
+    corners(third, {-1, 0.0390625, 0.2734375}, {-1.0625, 0.9765625, 3.7109375}, {-1.125, -0.2109375, 4.7734375});
+    for (const Query& query : {first, second, third}) {
+        const Asked asked = ask(query);
+        EXPECT_FALSE(asked.answer.hit);
+        EXPECT_EQ(asked.verdict, Verdict::right);
+    }
+}
+
 /// Standing shapes whose lowest points are `up` below the reference point.
 struct Standing {
     Kind kind;

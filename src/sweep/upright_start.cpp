@@ -52,7 +52,7 @@ enum class Slope : std::uint8_t { unknown, closing, not_closing };
 class Outlook {
 public:
     Outlook(const SweepQuery& query, const Volume& volume, const Triangle& ordered) noexcept
-        : query_(query), hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
+        : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
         for (const Vec& corner : query.corners) extent_ += norm1(corner);
         least_ = start_.plane(0).gap - hair_;
         for (int i = 0; i < start_.count(); ++i) least_ = larger(least_, start_.plane(i).gap - hair_);
@@ -97,7 +97,6 @@ private:
         return hair_ + (is_rim(plane.slot) ? 0x1p-20 : plane.doubt) * extent_;
     }
 
-    const SweepQuery& query_;
     double hair_;
     double extent_;
     UprightStart<double> start_;
@@ -126,18 +125,23 @@ public:
         const int which = (slot - UprightSlot::first_edge) % UprightSlot::per_edge;
         const auto along = query_.edge(edge);
         const auto& corner = query_.corners[edge];
-        const auto away_from_corner = [&] {
-            return told(corner.x * query_.along.x + corner.z * query_.along.z, false);
-        };
         if (which >= UprightSlot::rim) {
             const bool is_upright = along.x.sign() == 0 && along.z.sign() == 0;
-            return is_upright && !is_near_axis(corner) ? away_from_corner() : Slope::unknown;
+            return is_upright && !is_near_axis(corner) ? of_level(edge, false, false) : Slope::unknown;
         }
         if (is_cone_ || which == UprightSlot::about_axis) return Slope::unknown;
         if (which == UprightSlot::side_of_vertex) {
-            return corner.x.sign() == 0 && corner.z.sign() == 0 ? Slope::unknown : away_from_corner();
+            return corner.x.sign() == 0 && corner.z.sign() == 0 ? Slope::unknown : of_level(edge, false, false);
         }
-        return told(along.x * query_.along.z - along.z * query_.along.x, which == UprightSlot::side_of_edge);
+        return of_level(edge, true, which == UprightSlot::side_of_edge);
+    }
+
+    /// Along the level normal across an edge, or along the one away from the axis through its first corner.
+    [[nodiscard]] Slope of_level(int edge, bool is_across, bool as_it_is) const noexcept {
+        const auto along = query_.edge(edge);
+        const auto& corner = query_.corners[edge];
+        return is_across ? told(along.x * query_.along.z - along.z * query_.along.x, as_it_is)
+                         : told(corner.x * query_.along.x + corner.z * query_.along.z, as_it_is);
     }
 
 private:
@@ -175,8 +179,8 @@ public:
     }
 
     /// Of the nearest of the planes in `active`, with the slopes that are known.
-    [[nodiscard]] Slope slope(std::uint32_t active, const Slope (&slopes)[UprightSlot::count],
-                              const RimRoots& roots) const noexcept {
+    [[nodiscard]] Slope slope(std::uint32_t active, const Slope (&slopes)[UprightSlot::count], const RimRoots& roots,
+                              const ExactSlopes& exact) const noexcept {
         UprightStart<Real> start(query_.corners, query_.along, shape_, hair_);
         start.propose(active, &roots);
         // What doubles took for on the axis, or for a root, may not be there at all.
@@ -188,7 +192,10 @@ public:
             if (plane.gap < least) continue;
             const Slope known = slope_of(start, i, slopes, least);
             if (known == Slope::not_closing) return known;
-            if (known == Slope::unknown && plane.approach > -slope_hair_) return Slope::not_closing;
+            if (known != Slope::unknown || plane.approach < -slope_hair_) continue;
+            if (plane.approach > slope_hair_ || level_slope(plane.normal, exact) != Slope::closing) {
+                return Slope::not_closing;
+            }
         }
         return Slope::closing;
     }
@@ -200,7 +207,7 @@ private:
         const auto& plane = start.plane(i);
         Slope known = plane.slot == UprightSlot::outside ? Slope::unknown : slopes[plane.slot];
         if (known != Slope::unknown) return known;
-        Real nearest(0x1p-320);
+        Real nearest(same_normal);
         for (int k = 0; k < start.count(); ++k) {
             const auto& other = start.plane(k);
             if (other.slot == UprightSlot::outside || slopes[other.slot] == Slope::unknown) continue;
@@ -213,6 +220,33 @@ private:
         }
         return known;
     }
+
+    // A cone's rim may be nearest along a normal that is level but for rounding, across an edge or away from the axis.
+    [[nodiscard]] Slope level_slope(const ExactVec<Real>& normal, const ExactSlopes& exact) const noexcept {
+        const Real zero(0.0);
+        if (!(normal.y * normal.y < Real(same_normal))) return Slope::unknown;
+        Real nearest(same_normal);
+        Slope slope = Slope::unknown;
+        for (int i = 0; i < 3; ++i) {
+            const ExactVec<Real> edge = query_.edge(i);
+            const ExactVec<Real>& corner = query_.corners[i];
+            for (const bool is_across : {true, false}) {
+                const ExactVec<Real> level =
+                    is_across ? ExactVec<Real>{-edge.z, zero, edge.x} : ExactVec<Real>{corner.x, zero, corner.z};
+                const Real size = square_root(dot(level, level));
+                if (size.sign() == 0) continue;
+                const bool as_it_is = dot(level, normal).sign() > 0;
+                const ExactVec<Real> apart = normal - level * (Real(as_it_is ? 1.0 : -1.0) / size);
+                const Real squared = dot(apart, apart);
+                if (!(squared < nearest)) continue;
+                nearest = squared;
+                slope = exact.of_level(i, is_across, as_it_is);
+            }
+        }
+        return slope;
+    }
+
+    static constexpr double same_normal = 0x1p-320;  // of two unit normals, squared
 
     ExactQuery<Real> query_;
     UprightShape<Real> shape_;
@@ -251,15 +285,17 @@ Approach upright_approach_at_start(const Volume& volume, const Motion& motion, c
         }
     };
     for_each_active([&](int slot) { return outlook.slope(slot); });
-    if (some_unknown) {
-        const ExactSlopes exact(volume, motion, ordered);
-        for_each_active([&](int slot) { return exact.of(slot); });
-    }
     if (!some_unknown && !some_closing) return Approach::no_closer;
     // All that is as near as the nearest closes. If shape and triangle are apart by less than the hair and the motion
     // passes by within it, this is a false hit of the kind that is promised to be rare, and not a miss.
     if (!some_unknown && !some_not_closing) return Approach::deeper;
-    const Slope slope = RealStart(volume, motion, ordered).slope(outlook.active(), slopes, outlook.roots());
+    const ExactSlopes exact(volume, motion, ordered);
+    if (some_unknown) {
+        for_each_active([&](int slot) { return exact.of(slot); });
+        if (!some_unknown && !some_closing) return Approach::no_closer;
+        if (!some_unknown && !some_not_closing) return Approach::deeper;
+    }
+    const Slope slope = RealStart(volume, motion, ordered).slope(outlook.active(), slopes, outlook.roots(), exact);
     return slope == Slope::not_closing ? Approach::no_closer : Approach::deeper;
 }
 

@@ -105,7 +105,7 @@ public:
     }
 
     /// Proposes the normals along which a shape that is apart can be nearest and one in touch cannot be the least deep:
-    /// a cone's apex against corners and edges, and the rims against corners.
+    /// a cone's apex against corners and edges, and the rims against corners and level edges.
     void propose_outside() noexcept {
         slot_ = UprightSlot::outside;
         doubt_ = 1;
@@ -117,6 +117,7 @@ public:
                 const Scalar share = dot(corner, edge);
                 add(edge * share - corner * dot(edge, edge));
             }
+            add_rims_against_level_edge(corner, corners_[(i + 1) % 3] - corner);
             const Scalar sideways = square_root(corner.x * corner.x + corner.z * corner.z);
             if (sign_of(sideways) == 0) continue;
             const Scalar inward = shape_.radius / sideways - Scalar(1.0);
@@ -225,6 +226,17 @@ private:
         if (sign_of(rest) < 0) return;
         const Scalar other = is_first ? square_root(rest) : -square_root(rest);
         add_side(lean * edge.x - other * edge.z, lean * edge.z + other * edge.x);
+    }
+
+    // Seen along a level edge a rim is a line, which the shape has an end of on either side of its axis.
+    void add_rims_against_level_edge(const ExactVec<Scalar>& corner, const ExactVec<Scalar>& edge) noexcept {
+        const Scalar length = square_root(edge.x * edge.x + edge.z * edge.z);
+        if (sign_of(edge.y) != 0 || sign_of(length) == 0) return;
+        const ExactVec<Scalar> across{-edge.z / length, Scalar(0.0), edge.x / length};
+        const Scalar u = dot(corner, across);
+        const Scalar inward = sign_of(u) < 0 ? -shape_.radius - u : shape_.radius - u;
+        add({across.x * inward, shape_.height - corner.y, across.z * inward});
+        if (!shape_.is_cone) add({across.x * inward, -shape_.height - corner.y, across.z * inward});
     }
 
     // Seen along the edge, the rim is an ellipse with half axes r across the climb of the edge and r |e.y| / |e| along
