@@ -83,7 +83,7 @@ FaceFirst ask_face_first(const SweepQuery& query, double limit) noexcept {
         face.verdict = FaceFirst::Verdict::free;
         return face;
     }
-    if (face.plane.gap + limit * face.plane.approach > 4 * query.triangle_hair()) {
+    if (limit < 1 && face.plane.gap + limit * face.plane.approach > 4 * query.triangle_hair()) {
         face.verdict = FaceFirst::Verdict::free;
         return face;
     }

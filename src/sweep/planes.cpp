@@ -31,7 +31,7 @@ void Planes::consider(const Vec& direction) noexcept {
     if (apart_at_from && apart_at_to && !(has_fault(Fault::far_end_ignored) && plane.approach < 0)) {
         free_ = true;
         record(plane, Verdict::separates, 0);
-    } else if (apart_at_from && plane.gap + limit_ * plane.approach > 2 * hair_) {
+    } else if (limit_ < 1 && apart_at_from && plane.gap + limit_ * plane.approach > 2 * hair_) {
         free_ = true;  // until after the limit
     } else if (plane.approach < 0) {
         const double t = plane.gap / -plane.approach;

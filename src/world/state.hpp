@@ -11,7 +11,7 @@
 namespace surefoot {
 inline namespace v0 {
 
-struct World::State {
+struct [[gnu::visibility("hidden")]] World::State {
     Slab<internal::WorldBody> bodies;
     internal::TopTree tree;
     std::vector<internal::WorldBody*> by_id;  // in the order of their numbers
@@ -21,7 +21,7 @@ struct World::State {
     [[nodiscard]] internal::WorldBody* with_id(std::uint32_t id) const noexcept;
     /// The lowest number that no body has.
     [[nodiscard]] std::uint32_t free_id() const noexcept;
-    void place(internal::WorldBody& body, const Pose& start, const Pose& end) noexcept;
+    void place(internal::WorldBody & body, const Pose& start, const Pose& end) noexcept;
     template <typename Source>
     Expected<BodyHandle> add(const Source& source, Placement placement);
 
