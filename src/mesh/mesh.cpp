@@ -9,6 +9,7 @@
 #include "limits.hpp"
 #include "mesh/data.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/sections.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -119,6 +120,10 @@ Expected<Mesh> Mesh::refit(const MeshInput& moved) const {
         return tl::unexpected(invalid("a refit moves the " + std::to_string(view.triangle_count()) +
                                       " triangles of the mesh, but was given " +
                                       std::to_string(moved.indices.size() / 3) + ": build a new mesh instead"));
+    }
+    if (const Container* const file = data_->container()) {
+        // Queries may read whatever a file holds; this writes where it says.
+        if (auto sound = check_structure(view, *file); !sound) return tl::unexpected(std::move(sound.error()));
     }
     const std::vector<std::uint8_t> edges = edge_kinds(moved.vertices, moved.indices);
     const LeafInput triangles{.vertices = moved.vertices, .indices = moved.indices, .edges = edges};
