@@ -70,21 +70,18 @@ HWY_INLINE Vec3 nearest_to_origin(const Vec3 (&v)[3]) noexcept {
     const FilterTag d;
     const auto zero = hn::Zero(d);
     const auto one = hn::Set(d, 1.0F);
-    Vec3 best{};
-    Floats least = zero;
     const Vec3 edges[3] = {sub(v[1], v[0]), sub(v[2], v[1]), sub(v[0], v[2])};
-    for (int i = 0; i < 3; ++i) {
+    const auto nearest_on = [&](int i) HWY_ATTR {
         const auto squared = hn::Max(inner(edges[i], edges[i]), hn::Set(d, 1e-30F));
         const auto share = hn::Min(one, hn::Max(zero, hn::Div(hn::Neg(inner(v[i], edges[i])), squared)));
-        const Vec3 point = add_times(v[i], edges[i], share);
+        return add_times(v[i], edges[i], share);
+    };
+    Vec3 best = nearest_on(0);
+    Floats least = inner(best, best);
+    for (int i = 1; i < 3; ++i) {
+        const Vec3 point = nearest_on(i);
         const auto distance = inner(point, point);
-        if (i == 0) {
-            best = point;
-            least = distance;
-            continue;
-        }
-        const auto nearer = hn::Lt(distance, least);
-        best = choose(nearer, point, best);
+        best = choose(hn::Lt(distance, least), point, best);
         least = hn::Min(distance, least);
     }
     // The foot of the origin on the plane, where it lies within all three edges.
@@ -169,46 +166,39 @@ HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const Load& load, 
     const Vec3 centre = all_lanes(filter.centre);
     std::uint32_t bits = 0;
     for (std::size_t lane = 0; lane < tree_width; lane += hn::Lanes(d)) {
-        Scaled triangle{};
-        triangle.motion = all_lanes(filter.motion);
-        auto far = zero;
-        auto far_scaled = zero;
-        for (int i = 0; i < 3; ++i) {
-            const Vec3 p = load(i, lane);
-            triangle.corner[i] = scaled(filter, p);
-            far = hn::Max(far, size(p));
-            far_scaled = hn::Max(far_scaled, size(triangle.corner[i]));
-        }
+        const Vec3 world[3] = {load(0, lane), load(1, lane), load(2, lane)};
+        const Vec3 corner[3] = {scaled(filter, world[0]), scaled(filter, world[1]), scaled(filter, world[2])};
+        const auto far = hn::Max(size(world[0]), hn::Max(size(world[1]), size(world[2])));
+        const auto far_scaled = hn::Max(size(corner[0]), hn::Max(size(corner[1]), size(corner[2])));
         const auto input = hn::Mul(hn::Set(d, filter.row_sum),
                                    hn::MulAdd(far, hn::Set(d, 0x1p-21F), hn::Set(d, from_size * 0x1p-23F)));
-        triangle.margin =
-            hn::MulAdd(hn::Add(far_scaled, hn::Set(d, filter.motion_size + 2)), hn::Set(d, 0x1p-20F), input);
+        const auto sums = hn::Add(far_scaled, hn::Set(d, filter.motion_size + 2));
+        const Scaled triangle{
+            {corner[0], corner[1], corner[2]}, all_lanes(filter.motion), hn::MulAdd(sums, hn::Set(d, 0x1p-20F), input)};
 
         // From the nearest point of the triangle to the shape: in the middle of its motion and then where that point is
         // nearest to the path or, where the motion is long, to its whole line as seen along it and then at its start.
         const auto towards = [&](const Vec3& place) HWY_ATTR {
-            const Vec3 seen[3] = {sub(triangle.corner[0], place), sub(triangle.corner[1], place),
-                                  sub(triangle.corner[2], place)};
+            const Vec3 seen[3] = {sub(corner[0], place), sub(corner[1], place), sub(corner[2], place)};
             return nearest_to_origin(seen);
         };
         const auto squared = hn::Max(inner(triangle.motion, triangle.motion), hn::Set(d, 1e-30F));
-        Vec3 first{};
-        Vec3 second{};
-        if constexpr (long_motion) {
-            Vec3 seen[3];
-            for (int i = 0; i < 3; ++i) {
-                const Vec3 relative = sub(triangle.corner[i], centre);
+        const auto towards_line = [&]() HWY_ATTR {
+            const auto flat = [&](int i) HWY_ATTR {
+                const Vec3 relative = sub(corner[i], centre);
                 const auto share = hn::Neg(hn::Div(inner(relative, triangle.motion), squared));
-                seen[i] = add_times(relative, triangle.motion, share);
-            }
-            first = nearest_to_origin(seen);
-            second = towards(centre);
-        } else {
-            first = towards(add_times(centre, triangle.motion, hn::Set(d, 0.5F)));
-            const auto past_middle = hn::Div(inner(first, triangle.motion), squared);
+                return add_times(relative, triangle.motion, share);
+            };
+            const Vec3 seen[3] = {flat(0), flat(1), flat(2)};
+            return nearest_to_origin(seen);
+        };
+        const auto towards_path = [&](const Vec3& from_middle) HWY_ATTR {
+            const auto past_middle = hn::Div(inner(from_middle, triangle.motion), squared);
             const auto share = hn::Min(hn::Set(d, 1.0F), hn::Max(zero, hn::Add(past_middle, hn::Set(d, 0.5F))));
-            second = towards(add_times(centre, triangle.motion, share));
-        }
+            return towards(add_times(centre, triangle.motion, share));
+        };
+        const Vec3 first = long_motion ? towards_line() : towards(add_times(centre, triangle.motion, hn::Set(d, 0.5F)));
+        const Vec3 second = long_motion ? towards(centre) : towards_path(first);
         const Gaps aside = ask(filter, triangle, opposite(first));
         const Gaps then = ask(filter, triangle, opposite(second));
         // From the triangle's own plane, on the side where the shape begins.
