@@ -77,21 +77,31 @@ struct Placed {
 /// zero, and between the two nothing is claimed.
 struct Band {
     double zero, sure;
+    bool squared = false;  ///< below what doubles have a number for
+
+    template <class F>
+    [[nodiscard]] F limit(double number) const {
+        return squared ? F(F(number) * F(number)) : F(number);
+    }
 
     template <class F>
     [[nodiscard]] int sign(const F& value, const F& unit) const {
         const F size = magnitude(value);
-        if (size > F(sure) * unit) return value > F(0) ? 1 : -1;
-        return size <= F(zero) * unit ? 0 : unsure;
+        if (size > limit<F>(sure) * unit) return value > F(0) ? 1 : -1;
+        return size <= limit<F>(zero) * unit ? 0 : unsure;
     }
 };
 
 /// Long doubles tell two depths apart by their last digits, but a normal at a rim is good to far fewer (to a third of
 /// them where three roots meet), so only plain slopes are theirs to decide.
 constexpr Band quick_depth{-1, 1e-13}, quick_slope{-1, 1e-5};
-/// In 2560 bits a third of the digits is 2^-853, and some are lost on the way there: where an edge passes the apex by
-/// an ulp of zero, 1100 of them.
-constexpr Band wide_band{0x1p-360, 0x1p-200};
+/// In 2560 bits a third of the digits is 2^-853. Where an edge passes the apex by an ulp of zero, 1100 digits are lost
+/// on the way there, and a third of what is left is 2^-486.
+constexpr Band wide_band{0x1p-360, 0x1p-340};
+/// Depths that differ by an ulp of zero (2^-1074) are told apart where there are any: they are good to 2^-1450 even
+/// then. Slopes are not: a normal that is turned by an ulp of zero is as near as the nearest.
+constexpr Band deep_band{0x1p-650, 0x1p-640, true};
+
 /// Two normals closer than this are one. [rad]
 constexpr double same_normal = 0x1p-180;
 
@@ -184,13 +194,26 @@ double largest_in_doubles(const Query& query, const Exactly& at) {
     return largest_here;
 }
 
+/// Is there a coordinate next to zero, beside others that are not?
+const Band& depth_band(const Query& query) {
+    double least = HUGE_VAL, largest = 0;
+    for (const Vec& v : {query.from, query.to, query.a, query.b, query.c}) {
+        for (const double coordinate : {v.x, v.y, v.z}) {
+            const double size = std::fabs(coordinate);
+            if (size != 0) least = std::min(least, size);
+            largest = std::max(largest, size);
+        }
+    }
+    return least < largest * 0x1p-340 ? deep_band : wide_band;
+}
+
 }  // namespace
 
 StartSigns curved_start(const Query& query, double t) {
     const Exactly at(query, t);
     const StartSigns quick = decide(query.kind, at, Placed<long double>(at), quick_depth, quick_slope, -HUGE_VAL);
     if (quick.depth != unsure && quick.slope != unsure) return quick;
-    return decide(query.kind, at, Placed<Big>(at), wide_band, wide_band,
+    return decide(query.kind, at, Placed<Big>(at), depth_band(query), wide_band,
                   quick.g - 1e-9 * largest_in_doubles(query, at));
 }
 
@@ -200,7 +223,9 @@ Pass curved_pass(const Query& query) {
     const Placed<long double> rough(exactly);
     // Long doubles see which normals may be the nearest; only those are followed in wide floats.
     const double slack = 1e-9 * (to_double(rough.largest) + to_double(length(rough.d)));
+    const Band& depth = depth_band(query);
     const Big speed = length(at.d), flat = Big(wide_band.zero) * speed;
+    const Big touching = depth.limit<Big>(depth.zero) * at.largest;
     struct Side {
         V3<Big> n;
         Big rate;
@@ -217,7 +242,7 @@ Pass curved_pass(const Query& query) {
         const auto* best = &found.front();
         for (const auto& c : found)
             if (c.gap > best->gap) best = &c;
-        if (best->gap <= Big(wide_band.zero) * at.largest) {
+        if (best->gap <= touching) {
             pass.meets = 1;
             return pass;
         }

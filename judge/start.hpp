@@ -20,7 +20,8 @@ struct StartSigns {
 [[nodiscard]] StartSigns polytope_start(const Query& query, double t);
 
 /// For cylinder and cone: in long doubles if they are clear, else in floats of 2560 bits. There a depth or slope below
-/// 2^-360 of the largest number or of the motion counts as zero; one between that and 2^-200 is `unsure`.
+/// 2^-360 of the largest number or of the motion counts as zero; one between that and 2^-340 is `unsure`.
+/// Where a coordinate is next to zero the two are 2^-1300 and 2^-1280 for depths.
 [[nodiscard]] StartSigns curved_start(const Query& query, double t);
 
 /// Does a cylinder or cone that starts apart ever meet the triangle?

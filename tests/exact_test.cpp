@@ -69,6 +69,15 @@ TEST(Real, division_and_roots_undo_multiplication_to_four_hundred_and_seventy_di
     }
 }
 
+TEST(Real, the_wide_one_tells_an_ulp_of_zero_from_nothing_next_to_a_thousand_million) {
+    const auto rest = []<typename Scalar>(Scalar large) {
+        const Scalar sum = large + Scalar(5e-324);
+        return sign_of(square_root(sum * sum) / large - Scalar(1.0));
+    };
+    EXPECT_EQ(rest(WideReal(1e9)), 1);
+    EXPECT_NE(rest(Real(1e9)), 1);
+}
+
 TEST(Real, the_root_of_two_is_between_its_neighbours) {
     const Real root = square_root(Real(2.0));
     EXPECT_TRUE(root > Real(1.4142135623730949));

@@ -1,5 +1,5 @@
-// Real numbers to 512 binary digits, with division and square roots: for decisions about roots, where exact arithmetic
-// would need algebraic numbers. Sums, differences and products of a few game numbers fit and are exact.
+// Real numbers to 512 binary digits, or to 2560, with division and square roots: for decisions about roots, where exact
+// arithmetic would need algebraic numbers. Sums, differences and products of a few game numbers fit and are exact.
 #pragma once
 
 #include <cmath>
@@ -8,33 +8,35 @@
 
 namespace surefoot::internal {
 
-class Real {
+template <int Limbs>
+class RealOf {
 public:
-    Real() noexcept = default;
-    Real(double value) noexcept : number_(value) {}  // NOLINT: as freely as a double
+    RealOf() noexcept = default;
+    RealOf(double value) noexcept : number_(value) {}  // NOLINT: as freely as a double
 
     [[nodiscard]] int sign() const noexcept { return number_.sign(); }
 
-    friend Real operator-(const Real& a) noexcept { return Real(-a.number_); }
-    friend Real operator+(const Real& a, const Real& b) noexcept { return sum(a, b.number_); }
-    friend Real operator-(const Real& a, const Real& b) noexcept { return sum(a, -b.number_); }
-    friend Real operator*(const Real& a, const Real& b) noexcept { return Real(a.number_ * b.number_); }
+    friend RealOf operator-(const RealOf& a) noexcept { return RealOf(-a.number_); }
+    friend RealOf operator+(const RealOf& a, const RealOf& b) noexcept { return sum(a, b.number_); }
+    friend RealOf operator-(const RealOf& a, const RealOf& b) noexcept { return sum(a, -b.number_); }
+    friend RealOf operator*(const RealOf& a, const RealOf& b) noexcept { return RealOf(a.number_ * b.number_); }
 
     /// Requires: b is not zero. Newton's iteration for 1 / b doubles the digits of a double each time, and is given no
     /// more of them than it can use.
-    friend Real operator/(const Real& a, const Real& b) noexcept {
+    friend RealOf operator/(const RealOf& a, const RealOf& b) noexcept {
         const Number one_ish = b.number_.shifted(-b.number_.top());
         const Number two(2.0);
         Number inverse(1.0 / one_ish.leading());
-        for (const int digits : steps) {
+        for (int digits = first_digits;; digits = next_digits(digits)) {
             const Number rest = two - one_ish.truncated(digits) * inverse;
             inverse = (inverse * rest.truncated(digits)).truncated(digits);
+            if (digits == last_digits) break;
         }
-        return Real(a.number_ * inverse.shifted(-b.number_.top()));
+        return RealOf(a.number_ * inverse.shifted(-b.number_.top()));
     }
 
     /// 0 for what is not positive.
-    friend Real square_root(const Real& a) noexcept {
+    friend RealOf square_root(const RealOf& a) noexcept {
         if (a.sign() <= 0) return {};
         // An even number of limbs is taken out, so that the root is of whole limbs too.
         const int half = a.number_.top() / 2 + (a.number_.top() > 0 ? a.number_.top() % 2 : 0);
@@ -44,37 +46,47 @@ public:
         const Number three(3.0);
         const Number one_half(0.5);
         Number inverse(1.0 / std::sqrt(start));
-        for (const int digits : steps) {
+        for (int digits = first_digits;; digits = next_digits(digits)) {
             const Number square = (inverse * inverse).truncated(digits);
             const Number rest = three - (scaled.truncated(digits) * square).truncated(digits);
             inverse = ((inverse * rest.truncated(digits)).truncated(digits) * one_half).truncated(digits);
+            if (digits == last_digits) break;
         }
-        return Real((scaled * inverse).shifted(half));
+        return RealOf((scaled * inverse).shifted(half));
     }
 
-    friend bool operator<(const Real& a, const Real& b) noexcept { return (a - b).sign() < 0; }
-    friend bool operator>(const Real& a, const Real& b) noexcept { return b < a; }
+    friend bool operator<(const RealOf& a, const RealOf& b) noexcept { return (a - b).sign() < 0; }
+    friend bool operator>(const RealOf& a, const RealOf& b) noexcept { return b < a; }
 
 private:
-    using Number = ExactNumber<40>;
-    static constexpr int limbs = 16;
-    static constexpr int steps[] = {4, 7, 13, 18};  // limbs, two of them to spare
+    using Number = ExactNumber<2 * Limbs + 8>;
+    static constexpr int limbs = Limbs;
+    static constexpr int first_digits = 4;         // limbs, as are the next
+    static constexpr int last_digits = Limbs + 2;  // two to spare
+    static constexpr int next_digits(int digits) noexcept {
+        return 2 * digits - 1 < last_digits ? 2 * digits - 1 : last_digits;
+    }
 
-    explicit Real(const Number& number) noexcept : number_(number.truncated(limbs)) {}
+    explicit RealOf(const Number& number) noexcept : number_(number.truncated(limbs)) {}
 
     // What lies wholly below the digits of the other is dropped.
-    static Real sum(const Real& a, const Number& b) noexcept {
+    static RealOf sum(const RealOf& a, const Number& b) noexcept {
         if (a.sign() != 0 && b.sign() != 0) {
             if (a.number_.top() - b.top() > limbs + 2) return a;
-            if (b.top() - a.number_.top() > limbs + 2) return Real(b);
+            if (b.top() - a.number_.top() > limbs + 2) return RealOf(b);
         }
-        return Real(a.number_ + b);
+        return RealOf(a.number_ + b);
     }
 
     Number number_;
 };
 
-inline int sign_of(const Real& a) noexcept {
+using Real = RealOf<16>;
+/// Tells an ulp of zero (2^-1074) from nothing, next to 1e9.
+using WideReal = RealOf<80>;
+
+template <int Limbs>
+int sign_of(const RealOf<Limbs>& a) noexcept {
     return a.sign();
 }
 inline int sign_of(double a) noexcept {

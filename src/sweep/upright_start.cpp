@@ -46,12 +46,21 @@ constexpr bool is_rim(int slot) noexcept {
            (slot - UprightSlot::first_edge) % UprightSlot::per_edge >= UprightSlot::rim;
 }
 
+// Between an ulp of zero and the largest coordinate there is more than 512 digits can tell.
+bool is_wide(const Motion& motion, const Triangle& triangle) noexcept {
+    DigitSpan coordinates;
+    for (const dvec3* point : {&motion.from, &motion.to, &triangle.a, &triangle.b, &triangle.c}) {
+        coordinates.include(*point);
+    }
+    return coordinates.digits() > 340;
+}
+
 enum class Slope : std::uint8_t { unknown, closing, not_closing };
 
 // What doubles know of a start.
 class Outlook {
 public:
-    Outlook(const SweepQuery& query, const Volume& volume, const Triangle& ordered) noexcept
+    Outlook(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& ordered) noexcept
         : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
         for (const Vec& corner : query.corners) extent_ += norm1(corner);
         least_ = start_.plane(0).gap - hair_;
@@ -65,6 +74,16 @@ public:
             const double flat = (plane.doubt + 0x1p-40) * speed;
             if (!(plane.approach < -flat)) closing_ &= ~bit_of(plane.slot);
             if (!(plane.approach > flat)) opening_ &= ~bit_of(plane.slot);
+        }
+        // Nor may such a motion, or a corner by an ulp of zero off the axis, have left a direction for a side.
+        const bool has_lost = speed == HUGE_VAL || is_wide(motion, ordered);
+        for (int i = 0; i < 3 && has_lost; ++i) {
+            if (norm1(query.corners[i] - Vec{0, query.corners[i].y, 0}) > hair_) continue;
+            const std::uint32_t sides = bit_of(UprightSlot::of_edge(i, UprightSlot::about_axis)) |
+                                        bit_of(UprightSlot::of_edge(i, UprightSlot::side_of_vertex));
+            active_ |= sides;
+            closing_ &= ~sides;
+            opening_ &= ~sides;
         }
         // An edge nearly parallel to the rims may have lost its climb to rounding, but not if the shape stands upright
         // in the world and the corners are as high there.
@@ -164,18 +183,19 @@ private:
     bool is_cone_;
 };
 
-// In 512-digit reals. What differs by less than 2^-300 of the sizes involved is taken for equal.
+// In reals. Depths that differ by less than `tie` of the sizes involved are taken for equal, and slopes below 2^-300 of
+// the motion for zero: a normal that is turned by an ulp of zero has a depth that no digits here tell.
+template <typename Real>
 class RealStart {
 public:
-    RealStart(const Volume& volume, const Motion& motion, const Triangle& triangle) noexcept
+    RealStart(const Volume& volume, const Motion& motion, const Triangle& triangle, const Real& tie) noexcept
         : query_(motion, triangle) {
         query_.turn_into_frame(volume.orientation);
         shape_ = upright_shape<Real>(volume.shape, query_.scale);
-        const Real tiny(0x1p-300);
         Real size = shape_.radius + shape_.height;
         for (const auto& corner : query_.corners) size = size + square_root(dot(corner, corner));
-        hair_ = size * tiny;
-        slope_hair_ = square_root(dot(query_.along, query_.along)) * tiny;
+        hair_ = size * tie;
+        slope_hair_ = square_root(dot(query_.along, query_.along)) * Real(0x1p-300);
     }
 
     /// Of the nearest of the planes in `active`, with the slopes that are known.
@@ -190,7 +210,7 @@ public:
         for (int i = 0; i < start.count(); ++i) {
             const auto& plane = start.plane(i);
             if (plane.gap < least) continue;
-            const Slope known = slope_of(start, i, slopes, least);
+            const Slope known = slope_of(start, i, slopes);
             if (known == Slope::not_closing) return known;
             if (known != Slope::unknown || plane.approach < -slope_hair_) continue;
             if (plane.approach > slope_hair_ || level_slope(plane.normal, exact) != Slope::closing) {
@@ -202,8 +222,7 @@ public:
 
 private:
     // A rim or a cone's side whose normal is that of a cap, a face or an upright side but for rounding has its slope.
-    static Slope slope_of(const UprightStart<Real>& start, int i, const Slope (&slopes)[UprightSlot::count],
-                          const Real& least) noexcept {
+    static Slope slope_of(const UprightStart<Real>& start, int i, const Slope (&slopes)[UprightSlot::count]) noexcept {
         const auto& plane = start.plane(i);
         Slope known = plane.slot == UprightSlot::outside ? Slope::unknown : slopes[plane.slot];
         if (known != Slope::unknown) return known;
@@ -211,7 +230,6 @@ private:
         for (int k = 0; k < start.count(); ++k) {
             const auto& other = start.plane(k);
             if (other.slot == UprightSlot::outside || slopes[other.slot] == Slope::unknown) continue;
-            if (other.gap < least) continue;
             const ExactVec<Real> apart = other.normal - plane.normal;
             const Real squared = dot(apart, apart);
             if (!(squared < nearest)) continue;
@@ -269,7 +287,7 @@ Approach upright_approach_at_start(const Volume& volume, const Motion& motion, c
     const dvec3* corners[3] = {&triangle.a, &triangle.b, &triangle.c};
     const auto corner = [&](int i) { return *corners[query.original[i]]; };
     const Triangle ordered{corner(0), corner(1), corner(2)};
-    const Outlook outlook(query, volume, ordered);
+    const Outlook outlook(query, volume, motion, ordered);
     Slope slopes[UprightSlot::count] = {};
     bool some_closing = false;
     bool some_not_closing = false;
@@ -295,7 +313,13 @@ Approach upright_approach_at_start(const Volume& volume, const Motion& motion, c
         if (!some_unknown && !some_closing) return Approach::no_closer;
         if (!some_unknown && !some_not_closing) return Approach::deeper;
     }
-    const Slope slope = RealStart(volume, motion, ordered).slope(outlook.active(), slopes, outlook.roots(), exact);
+    const auto slope_with = [&](const auto& start) {
+        return start.slope(outlook.active(), slopes, outlook.roots(), exact);
+    };
+    const WideReal least = WideReal(0x1p-650) * WideReal(0x1p-650);
+    const Slope slope = is_wide(motion, triangle)
+                            ? slope_with(RealStart<WideReal>(volume, motion, ordered, least))
+                            : slope_with(RealStart<Real>(volume, motion, ordered, Real(0x1p-300)));
     return slope == Slope::not_closing ? Approach::no_closer : Approach::deeper;
 }
 

@@ -315,7 +315,7 @@ private:
                     continue;
                 }
                 w = w + change;
-                const Scalar least = w * Scalar(is_rough ? 0x1p-51 : 0x1p-440);
+                const Scalar least = w * least_change();
                 const Scalar size_of_least = sign_of(least) < 0 ? -least : least;
                 if (!(change > size_of_least) && !(-change > size_of_least)) break;
             }
@@ -346,6 +346,13 @@ private:
         const double turn = (slope + blur) / curvature;
         const bool is_sound = curvature > 0 && 8 * turn * (3 * bend * a2 / h2 + reach) < curvature;
         return is_sound ? smaller(1, 2 * (turn + 2 * hair_ / sideways)) : 1;
+    }
+
+    // A share of the root: Newton's method has settled.
+    static Scalar least_change() noexcept {
+        if constexpr (is_rough) return 0x1p-51;
+        if constexpr (std::is_same_v<Scalar, WideReal>) return Scalar(0x1p-1000) * Scalar(0x1p-1000);
+        return Scalar(0x1p-440);
     }
 
     static constexpr int most = 48;
