@@ -26,6 +26,9 @@ public:
         upright_ = false;
     }
 
+    /// Are the shape's axes exactly the world's?
+    [[nodiscard]] bool is_upright() const noexcept { return upright_; }
+
     /// A direction or difference of the world, seen by the shape.
     [[nodiscard]] Vec to_local(const Vec& world) const noexcept {
         if (upright_) return world;

@@ -60,6 +60,34 @@ HWY_INLINE std::uint32_t children_in(const WideNode& node, const FloatRegion& re
     return bits & ((1U << (node.count < tree_width ? node.count : tree_width)) - 1);
 }
 
+// Which triangles have no side that all three corners are beyond, a bit each.
+HWY_INLINE std::uint32_t unbound(const LeafBlock& block, const std::uint8_t (&beyond)[32]) noexcept {
+    std::uint32_t bits = 0;
+#if HWY_TARGET == HWY_SCALAR
+    for (std::uint32_t slot = 0; slot < block.count; ++slot) {
+        std::uint8_t all = 0xff;
+        for (int i = 0; i < 3; ++i) all &= beyond[block.corner(i)[slot] & 31];
+        bits |= static_cast<std::uint32_t>(all == 0) << slot;
+    }
+#else
+    const hn::FixedTag<std::uint8_t, 16> d;
+    const auto first = hn::Load(d, beyond);
+    const auto second = hn::Load(d, beyond + 16);
+    const auto fifteen = hn::Set(d, std::uint8_t{15});
+    const auto beyond_of = [&](int corner) HWY_ATTR {
+        const auto index = hn::LoadU(d, block.corner(corner));
+        const auto low = hn::And(index, fifteen);
+        return hn::IfThenElse(hn::Gt(index, fifteen), hn::TableLookupBytes(second, low),
+                              hn::TableLookupBytes(first, low));
+    };
+    const auto all = hn::And(beyond_of(0), hn::And(beyond_of(1), beyond_of(2)));
+    std::uint8_t mask[8] = {};
+    hn::StoreMaskBits(d, hn::Eq(all, hn::Zero(d)), mask);
+    bits = mask[0] & ((1U << block.count) - 1);
+#endif
+    return bits;
+}
+
 // Which triangles of a leaf have a box that meets the region, a bit each: those whose three vertices are not all beyond
 // the same side of it.
 HWY_INLINE std::uint32_t triangles_in(const LeafBlock& block, const FloatRegion& region) noexcept {
@@ -78,13 +106,7 @@ HWY_INLINE std::uint32_t triangles_in(const LeafBlock& block, const FloatRegion&
         }
         hn::StoreU(hn::DemoteTo(bytes, sides), bytes, beyond + i);
     }
-    std::uint32_t bits = 0;
-    for (std::uint32_t slot = 0; slot < block.count; ++slot) {
-        std::uint8_t all = 0xff;
-        for (int i = 0; i < 3; ++i) all &= beyond[block.corner(i)[slot] & 31];
-        bits |= static_cast<std::uint32_t>(all == 0) << slot;
-    }
-    return bits;
+    return unbound(block, beyond);
 }
 
 // A motion as the slab test wants it: a box is entered at (low - reach_high - from) / along, and so on.

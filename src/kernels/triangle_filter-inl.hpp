@@ -65,31 +65,49 @@ HWY_INLINE Vec3 all_lanes(const float (&v)[3]) noexcept {
     return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
 
-// A point of each triangle near the one that is nearest to the origin; how near does not matter.
+// A point of each triangle near the one that is nearest to the origin; how near does not matter. With p = a + v ab +
+// w ac, the squared distance is a quadratic form in v and w: of its minimum, if that is inside, and those on the three
+// edges, the least is taken.
 HWY_INLINE Vec3 nearest_to_origin(const Vec3 (&v)[3]) noexcept {
     const FilterTag d;
     const auto zero = hn::Zero(d);
     const auto one = hn::Set(d, 1.0F);
-    const Vec3 edges[3] = {sub(v[1], v[0]), sub(v[2], v[1]), sub(v[0], v[2])};
-    const auto nearest_on = [&](int i) HWY_ATTR {
-        const auto squared = hn::Max(inner(edges[i], edges[i]), hn::Set(d, 1e-30F));
-        const auto share = hn::Min(one, hn::Max(zero, hn::Div(hn::Neg(inner(v[i], edges[i])), squared)));
-        return add_times(v[i], edges[i], share);
-    };
-    Vec3 best = nearest_on(0);
-    Floats least = inner(best, best);
-    for (int i = 1; i < 3; ++i) {
-        const Vec3 point = nearest_on(i);
-        const auto distance = inner(point, point);
-        best = choose(hn::Lt(distance, least), point, best);
-        least = hn::Min(distance, least);
-    }
-    // The foot of the origin on the plane, where it lies within all three edges.
-    const Vec3 normal = outer(edges[0], edges[1]);
-    auto inside = hn::Gt(inner(normal, normal), hn::Set(d, 1e-30F));
-    for (int i = 0; i < 3; ++i) inside = hn::And(inside, hn::Le(inner(outer(normal, edges[i]), v[i]), zero));
-    const auto share = hn::Div(inner(normal, v[0]), hn::Max(inner(normal, normal), hn::Set(d, 1e-30F)));
-    return choose(inside, times(normal, share), best);
+    const auto least = hn::Set(d, 1e-30F);
+    const auto clamped = [&](Floats share) HWY_ATTR { return hn::Min(one, hn::Max(zero, share)); };
+    const Vec3 ab = sub(v[1], v[0]);
+    const Vec3 ac = sub(v[2], v[0]);
+    const auto bb = inner(ab, ab);
+    const auto bc = inner(ab, ac);
+    const auto cc = inner(ac, ac);
+    const auto b = hn::Neg(inner(ab, v[0]));
+    const auto c = hn::Neg(inner(ac, v[0]));
+    // Along ab, along ac, and from b to c, less the squared distance of a.
+    const auto on_ab = clamped(hn::Div(b, hn::Max(bb, least)));
+    const auto on_ac = clamped(hn::Div(c, hn::Max(cc, least)));
+    const auto across = hn::Sub(hn::Add(bb, cc), hn::Add(bc, bc));
+    const auto onward = hn::Add(hn::Sub(c, b), hn::Sub(bb, bc));
+    const auto on_bc = clamped(hn::Div(onward, hn::Max(across, least)));
+    const auto square_ab = hn::Mul(on_ab, hn::NegMulAdd(hn::Set(d, 2.0F), b, hn::Mul(on_ab, bb)));
+    const auto square_ac = hn::Mul(on_ac, hn::NegMulAdd(hn::Set(d, 2.0F), c, hn::Mul(on_ac, cc)));
+    const auto square_b = hn::NegMulAdd(hn::Set(d, 2.0F), b, bb);
+    const auto square_bc = hn::MulAdd(on_bc, hn::NegMulAdd(hn::Set(d, 2.0F), onward, hn::Mul(on_bc, across)), square_b);
+    const auto ac_is_nearer = hn::Lt(square_ac, square_ab);
+    const auto bc_is_nearest = hn::Lt(square_bc, hn::Min(square_ab, square_ac));
+    auto to_b = hn::IfThenElse(ac_is_nearer, zero, on_ab);
+    auto to_c = hn::IfThenElse(ac_is_nearer, on_ac, zero);
+    to_b = hn::IfThenElse(bc_is_nearest, hn::Sub(one, on_bc), to_b);
+    to_c = hn::IfThenElse(bc_is_nearest, on_bc, to_c);
+    const auto determinant = hn::NegMulAdd(bc, bc, hn::Mul(bb, cc));
+    const auto inside_b = hn::MulSub(cc, b, hn::Mul(bc, c));
+    const auto inside_c = hn::MulSub(bb, c, hn::Mul(bc, b));
+    // A sliver's determinant is noise.
+    const auto inside = hn::And(hn::And(hn::Gt(inside_b, zero), hn::Gt(inside_c, zero)),
+                                hn::And(hn::Lt(hn::Add(inside_b, inside_c), determinant),
+                                        hn::Gt(determinant, hn::Mul(hn::Set(d, 1e-5F), hn::Mul(bb, cc)))));
+    const auto per_determinant = hn::Div(one, hn::Max(determinant, least));
+    to_b = hn::IfThenElse(inside, hn::Mul(inside_b, per_determinant), to_b);
+    to_c = hn::IfThenElse(inside, hn::Mul(inside_c, per_determinant), to_c);
+    return add_times(add_times(v[0], ab, to_b), ac, to_c);
 }
 
 // The largest -n . k over the scaled shape.
@@ -156,16 +174,16 @@ HWY_INLINE Vec3 scaled(const ShapeFilter& filter, const Vec3& p) noexcept {
     return {row(0), row(1), row(2)};
 }
 
-// Which of eight triangles may be met, a bit each, and a time for each before which it is not. `load(i, lane)` gives
-// corner i of the triangles from `lane` on, relative to `from`, whose largest component is `from_size`.
+// Which of up to eight triangles may be met, a bit each, and a time for each before which it is not. `load(i, lane)`
+// gives corner i of the triangles from `lane` on, relative to `from`, whose largest component is `from_size`.
 template <bool long_motion, class Load>
-HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const Load& load, float from_size, float limit,
-                                   float (&times_out)[tree_width]) noexcept {
+HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const Load& load, std::size_t count, float from_size,
+                                   float limit, float (&times_out)[tree_width]) noexcept {
     const FilterTag d;
     const auto zero = hn::Zero(d);
     const Vec3 centre = all_lanes(filter.centre);
     std::uint32_t bits = 0;
-    for (std::size_t lane = 0; lane < tree_width; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(d)) {
         const Vec3 world[3] = {load(0, lane), load(1, lane), load(2, lane)};
         const Vec3 corner[3] = {scaled(filter, world[0]), scaled(filter, world[1]), scaled(filter, world[2])};
         const auto far = hn::Max(size(world[0]), hn::Max(size(world[1]), size(world[2])));
@@ -197,19 +215,23 @@ HWY_INLINE std::uint32_t survivors(const ShapeFilter& filter, const Load& load, 
             const auto share = hn::Min(hn::Set(d, 1.0F), hn::Max(zero, hn::Add(past_middle, hn::Set(d, 0.5F))));
             return towards(add_times(centre, triangle.motion, share));
         };
+        // What is out by one direction need not be asked along the next, and often that is all of them.
+        auto t = zero;
+        auto out = hn::Not(hn::FirstN(d, count - lane));
+        const auto are_all_out_by = [&](const Vec3& direction) HWY_ATTR {
+            const Gaps gaps = ask(filter, triangle, direction);
+            t = hn::Max(t, gaps.t);
+            out = hn::Or(out, hn::Or(gaps.apart, hn::Gt(t, hn::Set(d, limit))));
+            return hn::AllTrue(d, out);
+        };
         const Vec3 first = long_motion ? towards_line() : towards(add_times(centre, triangle.motion, hn::Set(d, 0.5F)));
-        const Vec3 second = long_motion ? towards(centre) : towards_path(first);
-        const Gaps aside = ask(filter, triangle, opposite(first));
-        const Gaps then = ask(filter, triangle, opposite(second));
+        if (are_all_out_by(opposite(first))) continue;
         // From the triangle's own plane, on the side where the shape begins.
-        Vec3 normal = outer(sub(triangle.corner[1], triangle.corner[0]), sub(triangle.corner[2], triangle.corner[0]));
+        const Vec3 normal =
+            outer(sub(triangle.corner[1], triangle.corner[0]), sub(triangle.corner[2], triangle.corner[0]));
         const auto behind = hn::Lt(inner(normal, sub(centre, triangle.corner[0])), zero);
-        normal = choose(behind, opposite(normal), normal);
-        const Gaps face = ask(filter, triangle, normal);
-
-        const auto t = hn::Max(then.t, hn::Max(aside.t, face.t));
-        const auto apart = hn::Or(then.apart, hn::Or(aside.apart, face.apart));
-        const auto out = hn::Or(apart, hn::Gt(t, hn::Set(d, limit)));
+        if (are_all_out_by(choose(behind, opposite(normal), normal))) continue;
+        if (are_all_out_by(opposite(long_motion ? towards(centre) : towards_path(first)))) continue;
         hn::StoreU(t, d, times_out + lane);
         std::uint8_t mask[8] = {};
         hn::StoreMaskBits(d, out, mask);

@@ -16,10 +16,17 @@ double margin_of(const Volume& volume, double magnitude) noexcept {
 }
 
 Box3 extent_of(const Volume& volume, double magnitude) noexcept {
-    const Frame frame(volume.orientation);
-    const auto along = [&](const Vec& axis) { return reach_against(volume.shape, unit(frame.to_local(-axis))); };
     const double m = margin_of(volume, magnitude);
     const Vec margin{m, m, m};
+    if (const auto* sphere = std::get_if<Sphere>(&volume.shape)) {
+        const Vec radius{sphere->radius, sphere->radius, sphere->radius};
+        return {-radius - margin, radius + margin};
+    }
+    const Frame frame(volume.orientation);
+    const auto along = [&](const Vec& axis) {
+        const Vec local = frame.to_local(-axis);
+        return reach_against(volume.shape, frame.is_upright() ? local : unit(local));
+    };
     const Vec low{along({-1, 0, 0}), along({0, -1, 0}), along({0, 0, -1})};
     const Vec high{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
     return {-low - margin, high + margin};

@@ -31,7 +31,7 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     const Vec touching = is_ellipsoid ? here : here - plane.normal * gap;
     const Vec at_touch[3] = {query.corners[0] - touching, query.corners[1] - touching, query.corners[2] - touching};
     Contact contact;
-    const unsigned touched = planes.touched_corners(plane.normal);
+    const unsigned touched = touched_corners(query, plane.normal);
     contact.corners = touched;
     Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
     const auto look_on = [&](unsigned part, double slack) {

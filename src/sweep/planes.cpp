@@ -18,6 +18,21 @@ Plane judged(const SweepQuery& query, const Vec& normal) noexcept {
             .approach = dot(normal, query.along)};
 }
 
+unsigned touched_corners(const SweepQuery& query, const Vec& normal) noexcept {
+    double heights[3];
+    int highest = 0;
+    for (int i = 0; i < 3; ++i) {
+        heights[i] = dot(normal, query.corners[i]);
+        if (heights[i] > heights[highest]) highest = i;
+    }
+    unsigned corners = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double rounding = 4 * (query.corner_slack[i] + query.corner_slack[highest]);
+        if (heights[i] >= heights[highest] - rounding) corners |= 1U << i;
+    }
+    return corners;
+}
+
 void Planes::consider(const Vec& direction) noexcept {
     if (free_) return;
     const Vec normal = unit(direction);
@@ -81,11 +96,11 @@ bool Planes::starts_inside() const noexcept {
 Plane Planes::steadiest_at(double t) const noexcept {
     const double within = hair();
     Plane best = last_;
-    int most = std::popcount(touched_corners(last_.normal));
+    int most = std::popcount(touched_corners(query_, last_.normal));
     for (const Plane& plane : all()) {
         const double gap = plane.gap + t * plane.approach;
         if (plane.approach >= 0 || gap < -within || gap > within) continue;
-        const int touched = std::popcount(touched_corners(plane.normal));
+        const int touched = std::popcount(touched_corners(query_, plane.normal));
         if (touched > most) {
             most = touched;
             best = plane;
@@ -124,7 +139,7 @@ Plane Planes::shallowest(const Vec& heading) const noexcept {
         const double approach = dot(plane.normal, heading);
         constexpr double sliding = 0x1p-20;  // far above the rounding in normals, but for those of slivers
         return (approach < -sliding ? 16 : (approach < sliding ? 8 : 0)) +
-               2 * std::popcount(touched_corners(plane.normal)) + (approach < 0 ? 1 : 0);
+               2 * std::popcount(touched_corners(query_, plane.normal)) + (approach < 0 ? 1 : 0);
     };
     int highest = rank(*best);
     for (const Plane& plane : all()) {
@@ -135,24 +150,9 @@ Plane Planes::shallowest(const Vec& heading) const noexcept {
     return *best;
 }
 
-unsigned Planes::touched_corners(const Vec& normal) const noexcept {
-    double heights[3];
-    int highest = 0;
-    for (int i = 0; i < 3; ++i) {
-        heights[i] = dot(normal, query_.corners[i]);
-        if (heights[i] > heights[highest]) highest = i;
-    }
-    unsigned corners = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double rounding = 4 * (query_.corner_slack[i] + query_.corner_slack[highest]);
-        if (heights[i] >= heights[highest] - rounding) corners |= 1U << i;
-    }
-    return corners;
-}
-
 void Planes::record(const Plane& plane, Verdict verdict, double t) const noexcept {
     if (trace_ == nullptr) return;
-    const unsigned corners = touched_corners(plane.normal);
+    const unsigned corners = touched_corners(query_, plane.normal);
     TraceRecord entry;
     entry.normal = to_dvec3(query_.frame.to_world(plane.normal));
     entry.gap_from = plane.gap;

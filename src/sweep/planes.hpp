@@ -32,6 +32,9 @@ struct Plane {
 /// The plane with this unit normal, pushed against the triangle.
 [[nodiscard]] Plane judged(const SweepQuery& query, const Vec& normal) noexcept;
 
+/// Which corners of the triangle (bits, canonical order) lie on the plane with this normal, within the rounding.
+[[nodiscard]] unsigned touched_corners(const SweepQuery& query, const Vec& normal) noexcept;
+
 /// Does a motion with this plane only graze it?
 [[nodiscard]] inline bool is_grazed(const SweepQuery& query, const Plane& plane) noexcept {
     return -plane.approach <= 0x1p-16 * norm1(query.along);
@@ -112,9 +115,6 @@ public:
 
     /// Tells the trace that shape and triangle are in touch at `from`, and where.
     void record_contact(const Plane& nearest) const noexcept { record(nearest, Verdict::contact, 0); }
-
-    /// How many corners of the triangle, and which (bits, canonical order), lie on the plane within the hair.
-    [[nodiscard]] unsigned touched_corners(const Vec& normal) const noexcept;
 
     [[nodiscard]] std::span<const Plane> all() const noexcept {
         return {room_.planes, static_cast<std::size_t>(count_)};

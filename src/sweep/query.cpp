@@ -52,7 +52,7 @@ Vec SweepQuery::face_normal() const noexcept {
 }
 
 double reach_against(const Shape& shape, const Vec& normal) noexcept {
-    const double sideways = std::sqrt(normal.x * normal.x + normal.z * normal.z);
+    const auto sideways = [&]() { return std::sqrt(normal.x * normal.x + normal.z * normal.z); };
     return std::visit(
         Overloaded{
             [&](const Sphere& sphere) { return sphere.radius; },
@@ -63,9 +63,9 @@ double reach_against(const Shape& shape, const Vec& normal) noexcept {
                        absolute(normal.z) * box.half_extents.z;
             },
             [&](const Cylinder& cylinder) {
-                return absolute(normal.y) * cylinder.half_height + sideways * cylinder.radius;
+                return absolute(normal.y) * cylinder.half_height + sideways() * cylinder.radius;
             },
-            [&](const Cone& cone) { return larger(0, sideways * cone.radius - normal.y * cone.height); },
+            [&](const Cone& cone) { return larger(0, sideways() * cone.radius - normal.y * cone.height); },
         },
         shape);
 }

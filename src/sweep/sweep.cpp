@@ -8,6 +8,7 @@
 #include "sweep/deepest.hpp"
 #include "sweep/face_first.hpp"
 #include "sweep/planes.hpp"
+#include "sweep/round_first.hpp"
 #include "sweep/start.hpp"
 
 namespace surefoot::internal {
@@ -56,25 +57,32 @@ struct Described {
     bool touches;  ///< is the point of the triangle certainly one of the shape, too?
 };
 
+// A hit on these corners, at a point relative to `from` in the shape's frame.
+Hit described(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Plane& plane, double t,
+              unsigned corners, bool is_on_part, const Vec& point) noexcept {
+    Hit hit;
+    hit.t = reported_time(query, t);
+    hit.triangle = query.triangle_id;
+    hit.feature = feature_of(query, corners);
+    hit.normal = to_dvec3(normal_in_world(query, plane));
+    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(point));
+    const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
+    for (unsigned i = 0; i < 3; ++i) {
+        // A vertex is reported as the caller's own numbers.
+        if (hit.feature == Feature::vertex && is_on_part && (corners & (1U << i)) != 0) {
+            hit.point = *world[query.original[i]];
+        }
+    }
+    return hit;
+}
+
 Described describe(const SweepQuery& query, const Triangle& triangle, const Motion& motion, const Planes& planes,
                    const Plane& plane, double t) noexcept {
     const double numbers =
         larger(larger(largest(to_vec(motion.from)), largest(to_vec(motion.to))),
                larger(largest(to_vec(triangle.a)), larger(largest(to_vec(triangle.b)), largest(to_vec(triangle.c)))));
     const Contact contact = contact_of(query, planes, plane, t, allowed_gap * numbers);
-    Hit hit;
-    hit.t = reported_time(query, t);
-    hit.triangle = query.triangle_id;
-    hit.feature = feature_of(query, contact.corners);
-    hit.normal = to_dvec3(normal_in_world(query, plane));
-    hit.point = to_dvec3(to_vec(motion.from) + query.frame.to_world(contact.point));
-    const dvec3* world[3] = {&triangle.a, &triangle.b, &triangle.c};
-    for (unsigned i = 0; i < 3; ++i) {
-        // A vertex is reported as the caller's own numbers.
-        if (hit.feature == Feature::vertex && contact.is_on_part && (contact.corners & (1U << i)) != 0) {
-            hit.point = *world[query.original[i]];
-        }
-    }
+    const Hit hit = described(query, triangle, motion, plane, t, contact.corners, contact.is_on_part, contact.point);
     const double outside = at_most_outside_by(query.shape, contact.point - query.along * t);
     return {hit, contact.is_on_part && outside <= touching_hairs * planes.hair()};
 }
@@ -138,6 +146,14 @@ bool faces(const Motion& motion, const Triangle& triangle) noexcept {
     return approach_to_front(motion, triangle) == Approach::deeper;
 }
 
+RoundFirst ask_one_feature(const SweepQuery& query, const FaceFirst& face, double limit) noexcept {
+    if (const auto* sphere = std::get_if<Sphere>(&query.shape)) return ask_round_first(query, *sphere, face, limit);
+    if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
+        return ask_round_first(query, *ellipsoid, face, limit);
+    }
+    return {};
+}
+
 // What most sweeps are: the face settles it, or a feature that is clearly entered and a touch that is found there.
 struct Quick {
     bool decided = false;
@@ -148,6 +164,11 @@ Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triang
     const FaceFirst face = ask_face_first(query, limit);
     if (face.verdict == FaceFirst::Verdict::free) return {true};
     if (face.verdict == FaceFirst::Verdict::hit) return {true, describe_face(query, motion, face)};
+    const RoundFirst round = ask_one_feature(query, face, limit);
+    if (round.verdict == RoundFirst::Verdict::free) return {true};
+    if (round.verdict == RoundFirst::Verdict::hit) {
+        return {true, described(query, triangle, motion, round.plane, round.t, round.corners, true, round.point)};
+    }
     Planes planes(query, Ask::entries, limit, nullptr);
     propose(query, planes);
     if (planes.has_free_plane()) return {true};
