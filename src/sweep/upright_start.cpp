@@ -63,8 +63,13 @@ public:
     Outlook(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& ordered) noexcept
         : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
         for (const Vec& corner : query.corners) extent_ += norm1(corner);
-        least_ = start_.plane(0).gap - hair_;
-        for (int i = 0; i < start_.count(); ++i) least_ = larger(least_, start_.plane(i).gap - hair_);
+        // A plane that doubles have turned may have a gap that the true one has not; a triangle without area has no
+        // face at all.
+        const auto surely = [&](const UprightStart<double>::Plane& plane) {
+            return plane.gap - (is_rim(plane.slot) ? hair_ : gap_doubt(plane));
+        };
+        least_ = surely(start_.plane(0));
+        for (int i = 0; i < start_.count(); ++i) least_ = larger(least_, surely(start_.plane(i)));
         // A motion near the end of the doubles' range has no digits left once it is turned.
         const double speed = norm1(query.along) > 0x1p-900 ? norm1(query.along) : HUGE_VAL;
         for (int i = 0; i < start_.count(); ++i) {
