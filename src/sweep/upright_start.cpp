@@ -24,15 +24,11 @@ double hair_of(const SweepQuery& query) noexcept {
     return hair;
 }
 
-// The shape moved on by t.
-UprightStart<double> start_in_doubles(const SweepQuery& query, double t) noexcept {
+UprightStart<double> start_in_doubles(const SweepQuery& query, const Vec& along) noexcept {
     ExactVec<double> corners[3];
-    for (int i = 0; i < 3; ++i) {
-        const Vec corner = query.corners[i] - query.along * t;
-        corners[i] = {corner.x, corner.y, corner.z};
-    }
-    UprightStart<double> start(corners, {query.along.x, query.along.y, query.along.z},
-                               upright_shape<double>(query.shape, 1.0), hair_of(query));
+    for (int i = 0; i < 3; ++i) corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
+    UprightStart<double> start(corners, {along.x, along.y, along.z}, upright_shape<double>(query.shape, 1.0),
+                               hair_of(query));
     start.propose();
     return start;
 }
@@ -44,6 +40,11 @@ constexpr std::uint32_t bit_of(int slot) noexcept {
 constexpr bool is_rim(int slot) noexcept {
     return slot >= UprightSlot::first_edge &&
            (slot - UprightSlot::first_edge) % UprightSlot::per_edge >= UprightSlot::rim;
+}
+
+constexpr bool is_about_axis(int slot) noexcept {
+    return slot >= UprightSlot::first_edge &&
+           (slot - UprightSlot::first_edge) % UprightSlot::per_edge == UprightSlot::about_axis;
 }
 
 // Between an ulp of zero and the largest coordinate there is more than 512 digits can tell.
@@ -61,7 +62,7 @@ enum class Slope : std::uint8_t { unknown, closing, not_closing };
 class Outlook {
 public:
     Outlook(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& ordered) noexcept
-        : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
+        : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, query.along)) {
         for (const Vec& corner : query.corners) extent_ += norm1(corner);
         // A plane that doubles have turned may have a gap that the true one has not; a triangle without area has no
         // face at all.
@@ -279,11 +280,13 @@ private:
 
 }  // namespace
 
-void propose_upright_standing(const SweepQuery& query, Planes& planes) noexcept {
-    const UprightStart<double> start = start_in_doubles(query, 0);
+void propose_upright_standing(const SweepQuery& query, const Vec& heading, Planes& planes) noexcept {
+    const UprightStart<double> start = start_in_doubles(query, heading);
     for (int i = 0; i < start.count(); ++i) {
         const auto& normal = start.plane(i).normal;
         planes.consider({normal.x, normal.y, normal.z});
+        // Of the sides about a corner on the axis, that which the motion closes on the most is as near.
+        if (is_about_axis(start.plane(i).slot)) planes.consider({-normal.x, normal.y, -normal.z});
     }
 }
 
