@@ -258,6 +258,48 @@ TEST(UprightStart, the_least_motion_has_a_direction_away_from_a_corner_on_the_ax
     EXPECT_EQ(verdict_of_the_opposite(query, asked.answer), Verdict::false_hit);
 }
 
+TEST(UprightStart, a_side_that_grazes_an_edge_near_its_corner_names_the_edge_and_not_the_corner) {
+    Query along = query_of(Kind::cone, 2.5, 1.5, {-0.1875000000032639, 0.2499999999975521, 0.12500000000679976},
+                           {-0.2851562500032639, 0.2499999999975521, 0.07812500000679974});
+    turn(along, 1, 1, 1, 1);
+    corners(along, {0.8125, 1, 0.875}, {-3.1875, 73, -247.125}, {-1927.1875, 12305, 3504.875});
+    Query sliver = query_of(Kind::cone, 1.5625, 0.625, {-16384, -8192, -24576},
+                            {-16389.119140625, -8207.89453125, -24574.376953125});
+    turn(sliver, 2, 0, 0, 1);
+    corners(sliver, {-16383.875, -8191.3125, -24576.468750000004}, {-21625.875, -24467.3125, -22914.46875},
+            {-37553.875, -73381.3125, -19848.46875});
+    for (const Query& query : {along, sliver}) {
+        Asked asked = ask(query);
+        ASSERT_TRUE(asked.answer.hit);
+        EXPECT_EQ(asked.answer.feature, judge::Feature::edge);
+        EXPECT_EQ(asked.verdict, Verdict::right);
+        asked.answer.feature = judge::Feature::vertex;
+        EXPECT_EQ(judge::judge(query, asked.answer).verdict, Verdict::bad_feature);
+    }
+}
+
+TEST(UprightStart, a_triangle_without_area_has_no_face_that_a_grazing_side_could_be_apart_from) {
+    // In the shape's frame its corners are no longer exactly in a row, and rounding gives it a plane, 329 m away.
+    Query query = query_of(Kind::cone, 50, 80, {243, 640, -2}, {-237, -640, -2});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {-78, -184, -26}, {-246, -664, -2}, {34, 136, -42});
+    const Asked asked = ask(query);
+    EXPECT_TRUE(asked.answer.hit);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_EQ(verdict_of_the_opposite(query, asked.answer), Verdict::miss);
+}
+
+TEST(UprightStart, the_least_motion_is_held_by_a_side_that_it_closes_on) {
+    Query query = query_of(Kind::cone, 100, 140, {-1048576, -262144, 5e-324}, {-1048576, -262144, 0});
+    turn(query, 1, -2, 0, 0);
+    corners(query, {-1048576, -262144, 0}, {-1035344, -223424, -14240}, {-1035344, -223424, -14240});
+    const Asked asked = ask(query);
+    ASSERT_TRUE(asked.answer.hit);
+    EXPECT_GT(asked.answer.normal.z, 0);
+    EXPECT_EQ(asked.verdict, Verdict::right);
+    EXPECT_EQ(verdict_of_the_opposite(query, asked.answer), Verdict::miss);
+}
+
 /// Standing shapes whose lowest points are `up` below the reference point.
 struct Standing {
     Kind kind;

@@ -35,6 +35,8 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
     contact.corners = touched;
     Vec point = point_on_part(query.shape, at_touch, contact.corners, margin);
     const auto look_on = [&](unsigned part, double slack) {
+        // An edge is near enough, whatever rounding says of the face beside it; and it tells which feature was touched.
+        if (part == 7 && outside_by(query.shape, point) <= margin) return;
         const Vec other = point_on_part(query.shape, at_touch, part, slack);
         if (outside_by(query.shape, other) >= outside_by(query.shape, point)) return;
         point = other;

@@ -25,9 +25,17 @@ void propose(const SweepQuery& query, Planes& planes) noexcept {
     std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
 }
 
-void propose_standing(const SweepQuery& query, Planes& planes) noexcept {
+// The motion's direction in the shape's frame, between 1 and 4 long. A motion near the end of the doubles' range would
+// lose its direction when it is turned.
+Vec heading_of(const SweepQuery& query, const Motion& motion) noexcept {
+    Vec along = to_vec(motion.to) - to_vec(motion.from);
+    if (largest(along) < 0x1p-900) along = along * 0x1p1000;
+    return query.frame.to_local(scaled_to_one(along));
+}
+
+void propose_standing(const SweepQuery& query, const Motion& motion, Planes& planes) noexcept {
     if (std::holds_alternative<Cylinder>(query.shape) || std::holds_alternative<Cone>(query.shape)) {
-        propose_upright_standing(query, planes);
+        propose_upright_standing(query, heading_of(query, motion), planes);
         return;
     }
     SweepQuery standing = query;
@@ -109,14 +117,6 @@ void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& h
     trace->push(record);
 }
 
-// The motion's direction in the shape's frame, between 1 and 4 long. A motion near the end of the doubles' range would
-// lose its direction when it is turned.
-Vec heading_of(const SweepQuery& query, const Motion& motion) noexcept {
-    Vec along = to_vec(motion.to) - to_vec(motion.from);
-    if (largest(along) < 0x1p-900) along = along * 0x1p1000;
-    return query.frame.to_local(scaled_to_one(along));
-}
-
 std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
                                   const Triangle& triangle, const Planes& planes) noexcept {
     if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
@@ -188,7 +188,7 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
     if (quick.decided) return quick.hit;
     if (!planes.motion_is_free() && !planes.starts_apart()) {
         // In touch at the start, by these planes. Ask those of the standing shape too.
-        propose_standing(query, planes);
+        propose_standing(query, motion, planes);
     }
     if (planes.motion_is_free()) return std::nullopt;
     if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);

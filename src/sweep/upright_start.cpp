@@ -24,15 +24,11 @@ double hair_of(const SweepQuery& query) noexcept {
     return hair;
 }
 
-// The shape moved on by t.
-UprightStart<double> start_in_doubles(const SweepQuery& query, double t) noexcept {
+UprightStart<double> start_in_doubles(const SweepQuery& query, const Vec& along) noexcept {
     ExactVec<double> corners[3];
-    for (int i = 0; i < 3; ++i) {
-        const Vec corner = query.corners[i] - query.along * t;
-        corners[i] = {corner.x, corner.y, corner.z};
-    }
-    UprightStart<double> start(corners, {query.along.x, query.along.y, query.along.z},
-                               upright_shape<double>(query.shape, 1.0), hair_of(query));
+    for (int i = 0; i < 3; ++i) corners[i] = {query.corners[i].x, query.corners[i].y, query.corners[i].z};
+    UprightStart<double> start(corners, {along.x, along.y, along.z}, upright_shape<double>(query.shape, 1.0),
+                               hair_of(query));
     start.propose();
     return start;
 }
@@ -44,6 +40,11 @@ constexpr std::uint32_t bit_of(int slot) noexcept {
 constexpr bool is_rim(int slot) noexcept {
     return slot >= UprightSlot::first_edge &&
            (slot - UprightSlot::first_edge) % UprightSlot::per_edge >= UprightSlot::rim;
+}
+
+constexpr bool is_about_axis(int slot) noexcept {
+    return slot >= UprightSlot::first_edge &&
+           (slot - UprightSlot::first_edge) % UprightSlot::per_edge == UprightSlot::about_axis;
 }
 
 // Between an ulp of zero and the largest coordinate there is more than 512 digits can tell.
@@ -61,10 +62,15 @@ enum class Slope : std::uint8_t { unknown, closing, not_closing };
 class Outlook {
 public:
     Outlook(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& ordered) noexcept
-        : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, 0)) {
+        : hair_(hair_of(query)), extent_(size_of(query.shape)), start_(start_in_doubles(query, query.along)) {
         for (const Vec& corner : query.corners) extent_ += norm1(corner);
-        least_ = start_.plane(0).gap - hair_;
-        for (int i = 0; i < start_.count(); ++i) least_ = larger(least_, start_.plane(i).gap - hair_);
+        // A plane that doubles have turned may have a gap that the true one has not; a triangle without area has no
+        // face at all.
+        const auto surely = [&](const UprightStart<double>::Plane& plane) {
+            return plane.gap - (is_rim(plane.slot) ? hair_ : gap_doubt(plane));
+        };
+        least_ = surely(start_.plane(0));
+        for (int i = 0; i < start_.count(); ++i) least_ = larger(least_, surely(start_.plane(i)));
         // A motion near the end of the doubles' range has no digits left once it is turned.
         const double speed = norm1(query.along) > 0x1p-900 ? norm1(query.along) : HUGE_VAL;
         for (int i = 0; i < start_.count(); ++i) {
@@ -274,11 +280,13 @@ private:
 
 }  // namespace
 
-void propose_upright_standing(const SweepQuery& query, Planes& planes) noexcept {
-    const UprightStart<double> start = start_in_doubles(query, 0);
+void propose_upright_standing(const SweepQuery& query, const Vec& heading, Planes& planes) noexcept {
+    const UprightStart<double> start = start_in_doubles(query, heading);
     for (int i = 0; i < start.count(); ++i) {
         const auto& normal = start.plane(i).normal;
         planes.consider({normal.x, normal.y, normal.z});
+        // Of the sides about a corner on the axis, that which the motion closes on the most is as near.
+        if (is_about_axis(start.plane(i).slot)) planes.consider({-normal.x, normal.y, -normal.z});
     }
 }
 
