@@ -22,7 +22,7 @@ enum class Fault {
     squash_without_rotation,       // the orientation of the volume is forgotten
     world_normal_not_unsquashed,   // the squashed normal reported as the world's
     hair_too_thick,                // stops early by a millionfold hair
-    touch_not_checked,             // the feature that was guessed is believed, wherever it is met
+    guess_believed,                // the feature that was guessed is believed, wherever it is met
     one_sided_by_rounding,         // the side of a one-sided triangle from rounded doubles
 };
 

@@ -40,7 +40,7 @@ constexpr Named all_faults[] = {
     {Fault::squash_without_rotation, "squash_without_rotation"},
     {Fault::world_normal_not_unsquashed, "world_normal_not_unsquashed"},
     {Fault::hair_too_thick, "hair_too_thick"},
-    {Fault::touch_not_checked, "touch_not_checked"},
+    {Fault::guess_believed, "guess_believed"},
     {Fault::one_sided_by_rounding, "one_sided_by_rounding"},
 };
 

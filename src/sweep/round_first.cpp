@@ -95,7 +95,7 @@ Place place_on(const SweepQuery& query, const Squashed& triangle, unsigned featu
     const Vec start = triangle.edge_start(i);
     const Vec edge = triangle.edges[i];
     const double share = dot(centre - start, edge) / dot(edge, edge);
-    if (!(share >= 0 && share <= 1)) return {};
+    if (!(share >= 0 && share <= 1) && !has_fault(Fault::guess_believed)) return {};
     return {true, start + edge * share, query.edge_start(i) + query.edge_direction(i) * share};
 }
 
@@ -160,9 +160,9 @@ RoundFirst ask(const SweepQuery& query, const Ball& ball, const FaceFirst& face,
         const Place place = place_on(query, triangle, feature, centre);
         if (!place.is_clear) continue;
         const double outside = (length(place.squashed - centre) - ball.radius) * largest(ball.squash);
-        if (outside > touching_hairs * hair && !has_fault(Fault::touch_not_checked)) continue;
+        if (outside > touching_hairs * hair && !has_fault(Fault::guess_believed)) continue;
         if (face_is_as_near(query, face.plane, t, hair)) return first;
-        if (touched_corners(query, normal) != feature) return first;
+        if (touched_corners(query, normal) != feature && !has_fault(Fault::guess_believed)) return first;
         first = {RoundFirst::Verdict::hit, plane, t, place.point, feature};
         return first;
     }
