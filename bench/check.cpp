@@ -80,8 +80,14 @@ bool agrees(const Reference& reference, const Stage& stage, const Workload& work
     if (workload.question == Question::gather)
         return stage.mesh.gather(bounds_of(workload.body, motion), {}) == reference.found;
     if (workload.question == Question::nearest) return same_nearest(stage.mesh, motion.to);
-    const std::optional<Hit> hit =
-        workload.question == Question::ray ? stage.mesh.ray(motion) : stage.mesh.sweep(volume, motion);
+    std::optional<Hit> hit;
+    if (workload.question == Question::ray) {
+        hit = stage.mesh.ray(motion);
+    } else if (workload.question == Question::sweeps) {
+        stage.mesh.sweep_many(volume, {&motion, 1}, {&hit, 1});
+    } else {
+        hit = stage.mesh.sweep(volume, motion);
+    }
     if (hit.has_value() != reference.first.has_value()) return false;
     return !hit || (hit->t == reference.first->t && hit->triangle == reference.first->triangle &&
                     hit->normal == reference.first->normal && hit->point == reference.first->point);

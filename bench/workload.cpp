@@ -59,6 +59,14 @@ Tally ask_mesh(const Mesh& mesh, const Workload& workload, std::span<const Motio
         case Question::sweep:
             for (const Motion& motion : motions) count(tally, mesh.sweep(volume, motion, options));
             break;
+        case Question::sweeps:
+            for (std::size_t i = 0; i < motions.size(); i += swept_at_once) {
+                const std::span some = motions.subspan(i, std::min(swept_at_once, motions.size() - i));
+                std::array<std::optional<Hit>, swept_at_once> hits;
+                mesh.sweep_many(volume, some, hits, options);
+                for (std::size_t k = 0; k < some.size(); ++k) count(tally, hits[k]);
+            }
+            break;
         case Question::ray:
             for (const Motion& motion : motions) count(tally, mesh.ray(motion, options));
             break;
@@ -86,6 +94,8 @@ std::vector<Workload> all_workloads() {
         all.push_back({Solver::surefoot, Question::ray, Path::distant, Body::sphere, order});
         for (const Path path : {Path::brief, Path::distant})
             for (const Body body : bodies) all.push_back({Solver::surefoot, Question::sweep, path, body, order});
+        for (const Body body : {Body::sphere, Body::ellipsoid})
+            all.push_back({Solver::surefoot, Question::sweeps, Path::brief, body, order});
         all.push_back({Solver::surefoot, Question::overlap, Path::brief, Body::sphere, order});
         all.push_back({Solver::surefoot, Question::overlap, Path::brief, Body::ellipsoid, order});
         all.push_back({Solver::surefoot, Question::gather, Path::brief, Body::sphere, order});
@@ -104,6 +114,8 @@ std::string name_of(const Workload& workload) {
     switch (workload.question) {
         case Question::ray:
             return path + "ray";
+        case Question::sweeps:
+            return path + std::string(name_of(workload.body)) + " sweeps, 8 at once";
         case Question::overlap:
             return std::string(name_of(workload.body)) + " overlap";
         case Question::gather:

@@ -18,11 +18,14 @@ namespace surefoot::bench {
 enum class Solver { surefoot, embree, bullet };
 enum class Question {
     sweep,
+    sweeps,  ///< as many at once as `swept_at_once`
     ray,
     overlap,  ///< all triangles that the body overlaps at the end of the motion
     gather,   ///< all triangles near the box around the whole motion of the body
     nearest,  ///< the nearest point of the scene within a metre of the end of the motion
 };
+inline constexpr std::size_t swept_at_once = 8;
+
 enum class Order {
     random,  ///< as made: far apart, on cold memory
     sorted,  ///< neighbours in space one by one

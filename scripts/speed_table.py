@@ -30,6 +30,7 @@ BARS = {
     "short sphere sweep": (1.6, 1.0, 0.5, 1.5),
     "long sphere sweep": (1.8, 1.8, 1.0, 3.3),
     "long ray": (1.0, 1.1, 1.4, None),
+    "short sphere sweeps, 8 at once": (1.3, 0.85, 0.4),
     "short ellipsoid sweep": (1.1, "short sphere sweep"),
     "short capsule sweep": (1.5, "short sphere sweep"),
     "short box sweep": (3, "short sphere sweep"),

@@ -5,6 +5,7 @@
 #include <bit>
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
+#include <limits>
 #include <vector>
 
 #include <surefoot/mesh.hpp>
@@ -33,8 +34,7 @@ Triangles make_triangles(std::uint64_t seed, int count, const dvec3& middle) {
             made.indices.push_back(static_cast<std::uint32_t>(made.vertices.size() - 1));
         }
         if (i % 17 == 0 && i > 0) {
-            for (int corner = 0; corner < 3; ++corner)
-                made.indices[made.indices.size() - 3 + corner] = made.indices[made.indices.size() - 6 + corner];
+            std::copy_n(made.indices.end() - 6, 3, made.indices.end() - 3);
         }
     }
     return made;
@@ -171,6 +171,55 @@ TEST(Tree, answers_like_brute_force_on_every_simd_target) {
         EXPECT_GT(tally.met, tally.asked / 10);
         EXPECT_LT(tally.met, tally.asked);
     });
+}
+
+TEST(Tree, many_sweeps_at_once_answer_like_each_alone_on_every_simd_target) {
+    const Mesh mesh = built(make_triangles(11, 2000, {0, 0, 0}));
+    tests::SplitMix random(12);
+    const auto odd = [](std::uint32_t triangle, std::uint32_t) { return triangle % 2 == 1; };
+    on_every_target([&] {
+        int met = 0;
+        for (const Volume& volume : volumes(random)) {
+            for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 100U}) {
+                std::vector<Motion> motions;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const dvec3 from = random.point(10);
+                    // Short ones, some that are long, that stand still, or that are no motion at all.
+                    const double far = i % 5 == 4 ? 20 : 0.4;
+                    motions.push_back({from, i % 11 == 10 ? from : from + random.point(far)});
+                    if (i % 17 == 16) motions.back().to.x = std::numeric_limits<double>::quiet_NaN();
+                }
+                QueryOptions options{.one_sided = count == 9};
+                if (count == 7) options.filter = odd;
+                std::vector<std::optional<Hit>> hits(count + 1, Hit{});
+                mesh.sweep_many(volume, motions, hits, options);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const auto alone = mesh.sweep(volume, motions[i], options);
+                    EXPECT_TRUE(same(hits[i], alone));
+                    EXPECT_EQ(hits[i] && hits[i]->status == HitStatus::invalid, i % 17 == 16);
+                    met += alone.has_value() ? 1 : 0;
+                }
+                EXPECT_TRUE(same(hits[count], Hit{})) << "what lies behind is not touched";
+            }
+        }
+        EXPECT_GT(met, 200);
+    });
+}
+
+TEST(Tree, many_sweeps_through_a_crowd_of_leaves_answer_like_each_alone) {
+    // Hundreds of leaves in every region: more than the lists of one walk hold.
+    const Mesh mesh = built(make_triangles(13, 20000, {0, 0, 0}));
+    tests::SplitMix random(14);
+    std::vector<Motion> motions;
+    for (int i = 0; i < 24; ++i) {
+        const dvec3 from = random.point(8);
+        motions.push_back({from, from + random.point(3)});
+    }
+    std::vector<std::optional<Hit>> hits(motions.size());
+    QueryWork work;
+    mesh.sweep_many(Sphere{9}, motions, hits, {.work = &work});
+    EXPECT_GT(work.nodes, 64U * motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) EXPECT_TRUE(same(hits[i], mesh.sweep(Sphere{9}, motions[i])));
 }
 
 TEST(Tree, answers_like_brute_force_where_many_triangles_share_an_edge) {

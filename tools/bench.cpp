@@ -104,7 +104,8 @@ std::string text_of(const bench::Stage& stage, const std::vector<bench::Row>& ro
     for (const bench::Row& row : rows) {
         const bench::Workload& workload = row.workload;
         const bool is_ours = workload.solver == bench::Solver::surefoot;
-        const bool has_time = workload.question == bench::Question::sweep || workload.question == bench::Question::ray;
+        const bool has_time = workload.question == bench::Question::sweep ||
+                              workload.question == bench::Question::sweeps || workload.question == bench::Question::ray;
         wrong += row.checked.wrong;
         table.add(
             {bench::name_of(workload), std::string(bench::name_of(workload.solver)),

@@ -110,6 +110,8 @@ public:
     HWY_INLINE void push_root() noexcept { nodes_[end_++] = 0; }
     [[nodiscard]] HWY_INLINE bool is_empty() const noexcept { return begin_ == end_; }
 
+    HWY_INLINE void clear() noexcept { begin_ = end_ = 0; }
+
     HWY_INLINE std::uint32_t pop() noexcept {
         if (end_ - begin_ > most_waiting) return nodes_[--end_];
         const std::uint32_t node = nodes_[begin_++];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <new>
 
 #include "tree/binary_tree.hpp"
 
@@ -36,60 +37,138 @@ HWY_INLINE void prefetch_leaf(const MeshView& view, std::uint32_t word) noexcept
     hwy::Prefetch(words + 32);
 }
 
-// Calls `visit(leaf words)` for the leaves whose boxes meet the region, many at a time.
-template <class Visit>
-HWY_INLINE void visit_region(MeshSearch& search, const Visit& visit) noexcept {
-    const MeshView& view = *search.view;
-    if (view.nodes.empty()) return;
-    const FloatRegion region = region_about(search.region, {});
-    NodeQueue nodes;
-    LeafList leaves;
-    nodes.push_root();
-    // Every node has one parent, so no more than all of them can be opened.
-    std::size_t left = view.nodes.size();
-    while (!nodes.is_empty()) {
-        const std::uint32_t index = nodes.pop();
+// The leaves whose boxes meet a region, a node at a time.
+class RegionWalk {
+public:
+    explicit RegionWalk(MeshSearch& search) noexcept
+        : search_(search), region_(region_about(search.region, {})), left_(search.view->nodes.size()) {
+        if (left_ > 0) nodes_.push_root();
+    }
+
+    [[nodiscard]] HWY_INLINE bool is_done() const noexcept { return nodes_.is_empty(); }
+    [[nodiscard]] HWY_INLINE LeafList& leaves() noexcept { return leaves_; }
+
+    /// Requires: not is_done(), room for leaves.
+    HWY_INLINE void open_next() noexcept {
+        const MeshView& view = *search_.view;
+        const std::uint32_t index = nodes_.pop();
         const WideNode& node = view.nodes[index];
-        ++search.nodes;
-        if (left-- == 0) {
-            search.overflowed = true;
+        ++search_.nodes;
+        // Every node has one parent, so no more than all of them can be opened.
+        if (left_-- == 0) {
+            search_.overflowed = true;
+            nodes_.clear();
             return;
         }
-        const ChosenChildren children(node, index, view.nodes.size(), children_in(node, region));
-        for (const std::uint32_t word : leaves.add(children)) prefetch_leaf(view, word);
-        for (const std::uint32_t child : nodes.add(children)) {
+        const ChosenChildren children(node, index, view.nodes.size(), children_in(node, region_));
+        for (const std::uint32_t word : leaves_.add(children)) prefetch_leaf(view, word);
+        for (const std::uint32_t child : nodes_.add(children)) {
             hwy::Prefetch(&view.nodes[child]);
             hwy::Prefetch(reinterpret_cast<const char*>(&view.nodes[child]) + 64);  // a node may lie across two lines
         }
-        if (leaves.is_full()) {
-            visit(leaves.get());
-            leaves.clear();
+    }
+
+private:
+    MeshSearch& search_;
+    FloatRegion region_;
+    std::size_t left_;
+    NodeQueue nodes_;
+    LeafList leaves_;
+};
+
+// Calls `visit(leaf words)` for all of them, many at a time.
+template <class Visit>
+HWY_INLINE void visit_region(MeshSearch& search, const Visit& visit) noexcept {
+    RegionWalk walk(search);
+    while (!walk.is_done()) {
+        walk.open_next();
+        if (walk.leaves().is_full()) {
+            visit(walk.leaves().get());
+            walk.leaves().clear();
         }
     }
-    visit(leaves.get());
+    visit(walk.leaves().get());
 }
 
-void SearchRegion(MeshSearch& search) {
-    const MeshView& view = *search.view;
-    Outbox out(search);
-    Batch batch(search);
-    std::uint32_t tile = ~0U;
-    FloatRegion region{};
-    float from[3] = {};
-    visit_region(search, [&](std::span<const std::uint32_t> leaves) HWY_ATTR {
+// From leaves to candidates.
+class LeafSearch {
+public:
+    explicit LeafSearch(MeshSearch& search) noexcept : search_(search), out_(search), batch_(search) {}
+
+    HWY_INLINE void look_into(std::span<const std::uint32_t> leaves) noexcept {
+        const MeshView& view = *search_.view;
         for (const std::uint32_t word : leaves) {
             const LeafBlock block = view.leaf(word);
             if (block.count == 0) continue;
-            if (block.tile != tile) {
-                tile = block.tile;
-                region = region_about(search.region, view.origin_of(tile));
-                from_about(search, view.origin_of(tile), from);
+            if (block.tile != tile_) {
+                tile_ = block.tile;
+                region_ = region_about(search_.region, view.origin_of(tile_));
+                from_about(search_, view.origin_of(tile_), from_);
             }
-            batch.add(block, word, triangles_in(block, region), from, out);
+            batch_.add(block, word, triangles_in(block, region_), from_, out_);
         }
-    });
-    batch.filter(out);
-    out.flush();
+    }
+    HWY_INLINE void finish() noexcept {
+        batch_.filter(out_);
+        out_.flush();
+    }
+
+private:
+    MeshSearch& search_;
+    std::uint32_t tile_ = ~0U;
+    FloatRegion region_{};
+    float from_[3] = {};
+    Outbox out_;
+    Batch batch_;
+};
+
+void SearchRegion(MeshSearch& search) {
+    LeafSearch leaves(search);
+    visit_region(search, [&](std::span<const std::uint32_t> words) HWY_ATTR { leaves.look_into(words); });
+    leaves.finish();
+}
+
+// A region whose leaves come to more than a list holds is gone through on its own, after the others.
+void SearchRegions(std::span<MeshSearch> searches) {
+    union Walks {
+        Walks() noexcept {}
+        RegionWalk walk[most_regions];
+    } walks;
+    const std::size_t count = std::min(searches.size(), most_regions);
+    std::uint32_t going = 0;
+    std::uint32_t crowded = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        ::new (&walks.walk[i]) RegionWalk(searches[i]);
+        if (!walks.walk[i].is_done()) going |= 1U << i;
+    }
+    while (going != 0) {
+        for (std::uint32_t turn = going; turn != 0; turn &= turn - 1) {
+            const int i = std::countr_zero(turn);
+            RegionWalk& walk = walks.walk[i];
+            walk.open_next();
+            if (walk.is_done()) {
+                going &= ~(1U << i);
+            } else if (walk.leaves().is_full()) {
+                going &= ~(1U << i);
+                crowded |= 1U << i;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        RegionWalk& walk = walks.walk[i];
+        LeafSearch leaves(searches[i]);
+        leaves.look_into(walk.leaves().get());
+        if ((crowded >> i & 1) != 0) {
+            walk.leaves().clear();
+            while (!walk.is_done()) {
+                walk.open_next();
+                if (!walk.is_done() && !walk.leaves().is_full()) continue;
+                leaves.look_into(walk.leaves().get());
+                walk.leaves().clear();
+            }
+        }
+        leaves.finish();
+    }
 }
 
 void SearchBoxes(MeshSearch& search) {
@@ -197,11 +276,15 @@ HWY_AFTER_NAMESPACE();
 namespace surefoot::internal {
 
 HWY_EXPORT(SearchRegion);
+HWY_EXPORT(SearchRegions);
 HWY_EXPORT(SearchAlong);
 HWY_EXPORT(SearchBoxes);
 
 void search_region(MeshSearch& search) noexcept {
     HWY_DYNAMIC_DISPATCH(SearchRegion)(search);
+}
+void search_regions(std::span<MeshSearch> searches) noexcept {
+    HWY_DYNAMIC_DISPATCH(SearchRegions)(searches);
 }
 void search_along(MeshSearch& search) noexcept {
     HWY_DYNAMIC_DISPATCH(SearchAlong)(search);

@@ -60,6 +60,10 @@ struct MeshSearch {
 /// For motions that are short beside the shape: everything in the region, in one go.
 void search_region(MeshSearch& search) noexcept;
 
+/// The same for up to `most_regions` searches of one mesh, by turns.
+inline constexpr std::size_t most_regions = 8;
+void search_regions(std::span<MeshSearch> searches) noexcept;
+
 /// For long motions: nearest first.
 void search_along(MeshSearch& search) noexcept;
 

@@ -8,10 +8,10 @@
 #include "ieee_guard.hpp"
 #include "kernels/mesh_search.hpp"
 #include "limits.hpp"
+#include "mesh/asker.hpp"
 #include "mesh/data.hpp"
 #include "query/answers.hpp"
 #include "query/reach.hpp"
-#include "rounded.hpp"
 #include "sweep/sweep.hpp"
 #include "tree/scalar_search.hpp"
 
@@ -21,103 +21,6 @@ inline namespace v0 {
 using namespace internal;
 
 namespace {
-
-// Every coordinate that takes part in a query on a mesh is at most this.
-double magnitude_in(const MeshView& view, const Motion& motion) noexcept {
-    return larger(internal::magnitude_of(motion), internal::magnitude_of(view.bounds));
-}
-
-// Asks triangles one at a time, in whatever order they come. Query has
-//     void ask(const LeafBlock&, std::uint32_t slot, std::uint32_t id)    the exact question
-//     double limit() const                                                 what begins later cannot matter
-template <typename Query>
-class Asker {
-public:
-    Asker(const MeshView& view, const QueryOptions& options, Query& query) noexcept
-        : view_(view), options_(options), query_(query) {}
-
-    void ask(const LeafBlock& block, std::uint32_t slot) noexcept {
-        const std::uint32_t id = block.ids()[slot];
-        if (view_.is_hidden(id)) return;
-        if (options_.filter && !options_.filter(id, view_.surface(id))) return;
-        if (options_.work != nullptr) ++options_.work->triangles;
-        query_.ask(block, slot, id);
-    }
-
-    void ask_place(std::uint32_t place) noexcept {
-        const LeafBlock block = view_.leaf(place >> 3);
-        if ((place & 7) < block.count) ask(block, place & 7);
-    }
-
-    void ask_all() noexcept {
-        for (const std::uint32_t place : view_.places) ask_place(place);
-    }
-
-    // The SIMD search. `run` is one of search_region, search_along, search_boxes.
-    bool ask_found(MeshSearch search, void (*run)(MeshSearch&) noexcept) noexcept {
-        search.context = this;
-        search.take = [](void* context, std::span<Candidate> candidates) noexcept {
-            return static_cast<Asker*>(context)->take(candidates);
-        };
-        run(search);
-        if (options_.work != nullptr) options_.work->nodes += search.nodes;
-        return !search.overflowed;
-    }
-
-    // The scalar search: the same leaves or fewer, one box at a time.
-    template <typename Measure>
-    bool ask_measured(const Measure& measure) noexcept {
-        std::uint64_t nodes = 0;
-        const bool done = search_by(
-            view_, measure,
-            [&](std::uint32_t word) {
-                const LeafBlock block = view_.leaf(word);
-                for (std::uint32_t slot = 0; slot < block.count; ++slot) ask(block, slot);
-            },
-            [&] { return query_.limit(); }, nodes);
-        if (options_.work != nullptr) options_.work->nodes += nodes;
-        return done;
-    }
-
-private:
-    // The earliest first; what could only come after a hit is never asked.
-    float take(std::span<Candidate> candidates) noexcept {
-        while (!candidates.empty()) {
-            const auto next = std::min_element(candidates.begin(), candidates.end(),
-                                               [](const Candidate& a, const Candidate& b) { return a.t < b.t; });
-            if (static_cast<double>(next->t) > query_.limit()) break;
-            ask_place(next->place);
-            *next = candidates.back();
-            candidates = candidates.first(candidates.size() - 1);
-        }
-        return float_at_least(query_.limit());
-    }
-
-    const MeshView& view_;
-    const QueryOptions& options_;
-    Query& query_;
-};
-
-struct FirstSweep {
-    const MeshView& view;
-    const Volume& volume;
-    const Motion& motion;
-    const QueryOptions& options;
-    FirstHit first{};
-
-    void ask(const LeafBlock& block, std::uint32_t slot, std::uint32_t id) noexcept {
-        const Triangle triangle = view.triangle(block, slot);
-        if (!is_valid_triangle(triangle)) {
-            Hit hit = blocked(HitStatus::invalid);
-            hit.triangle = id;
-            first.offer(hit);
-            return;
-        }
-        first.offer(sweep_triangle(volume, motion, triangle, id, options.one_sided,
-                                   options.trace == nullptr ? first.limit() : 1, options.trace));
-    }
-    [[nodiscard]] double limit() const noexcept { return first.limit(); }
-};
 
 struct FirstRay {
     const MeshView& view;
@@ -144,13 +47,8 @@ struct Any {
     [[nodiscard]] double limit() const noexcept { return query.first.get() ? -1 : 1; }
 };
 
-// A motion that is short beside the shape asks everything around it at once; a long one goes along it.
-bool is_short(const Motion& motion, const Box3& extent) noexcept {
-    return largest(to_vec(motion.to) - to_vec(motion.from)) <= 2 * largest(extent.max - extent.min);
-}
-
 template <typename Query>
-bool ask_moving(const MeshView& view, const MeshSearch& search, bool in_one_go, const QueryOptions& options,
+bool ask_moving(const MeshView& view, MeshSearch search, bool in_one_go, const QueryOptions& options,
                 Query& query) noexcept {
     Asker<Query> asker(view, options, query);
     switch (options.search) {
@@ -176,12 +74,6 @@ template <typename Query>
 bool ask_ray(const MeshView& view, const Motion& motion, const QueryOptions& options, Query& query) noexcept {
     const Box3 extent = extent_of_point(magnitude_in(view, motion));
     return ask_moving(view, make_point_search(view, motion, extent), false, options, query);
-}
-
-std::optional<Hit> with_surface(const MeshView& view, const FirstHit& first) noexcept {
-    std::optional<Hit> hit = first.get();
-    if (hit) hit->surface = view.surface(hit->triangle);
-    return hit;
 }
 
 }  // namespace
