@@ -21,8 +21,8 @@ std::string Equation::text() const {
         text += power;
     };
     add(a, " t^2", false);
-    add(b, " t", false);
-    add(c, "", text.empty() || c != 0);
+    add(b, " t", a == 0);
+    add(c, "", c != 0);
     return text + " = 0";
 }
 

@@ -14,7 +14,7 @@ struct Equation {
     [[nodiscard]] double operator()(double t) const { return (a * t + b) * t + c; }
     [[nodiscard]] bool is_quadratic() const { return a != 0; }
     [[nodiscard]] double discriminant() const { return b * b - 4 * a * c; }
-    /// "2.5 t^2 - 3 t + 0.8 = 0"
+    /// "2.5 t^2 - 3 t + 0.8 = 0"; what is 0 is left out, but not the t of a linear one.
     [[nodiscard]] std::string text() const;
 };
 

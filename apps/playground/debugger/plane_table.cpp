@@ -29,8 +29,10 @@ std::string words_for(const TraceRecord& record) {
         case Verdict::separates:
             return "keeps them apart on the whole way: the proof that there is no hit";
         case Verdict::enters:
+            if (record.t < 0) return "gave way before START: decides nothing";
             return fmt::format("gives way at t = {}", short_text(record.t));
         case Verdict::leaves:
+            if (record.t > 1) return "opens again only after END: decides nothing";
             return fmt::format("opens again at t = {}", short_text(record.t));
         case Verdict::inside:
             return "behind it all along: decides nothing";

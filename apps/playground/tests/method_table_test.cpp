@@ -175,7 +175,7 @@ TEST(Equation, keeps_its_small_root_when_b_is_large) {
     EXPECT_EQ(roots_of({1, 0, 1}).count, 0);
     EXPECT_EQ(roots_of({0, 0, 1}).count, 0);
     EXPECT_EQ((Equation{2, -3, 0}).text(), "2 t^2 - 3 t = 0");
-    EXPECT_EQ((Equation{0, 0, 0}).text(), "0 = 0");
+    EXPECT_EQ((Equation{0, 0, 0.5}).text(), "0 t + 0.5 = 0");
 }
 
 TEST(PlaneTable, marks_the_plane_that_the_answer_is) {
