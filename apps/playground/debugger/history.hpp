@@ -59,7 +59,7 @@ public:
     void apply(const Edit& edit);
 
     /// Between these two, edits of the same thing are one step.
-    void begin_drag() { dragging_ = true, merges_ = false; }
+    void begin_drag() { dragging_ = true; }
     void end_drag() { dragging_ = merges_ = false; }
 
     /// False if there is nothing to undo, or to redo. Both end a drag.
