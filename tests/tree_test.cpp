@@ -280,6 +280,59 @@ TEST(Tree, spares_a_query_nearly_all_triangles) {
     EXPECT_LT(work.triangles, 100U * 40);
 }
 
+TEST(Tree, tells_which_boxes_it_opened_and_which_triangles_it_asked) {
+    const Triangles triangles = make_triangles(11, 3000, {0, 0, 0});
+    const Mesh mesh = built(triangles);
+    tests::SplitMix random(12);
+    std::vector<SearchStep> room(20000);
+    for (int i = 0; i < 40; ++i) {
+        const Motion motion{random.point(12), random.point(12)};
+        for (const Search search : {Search::tree, Search::scalar_tree, Search::brute_force}) {
+            SearchLog log(room);
+            QueryWork work{.log = &log};
+            const auto told = mesh.sweep(Sphere{0.3}, motion, {.search = search, .work = &work});
+            EXPECT_TRUE(same(told, mesh.sweep(Sphere{0.3}, motion, {.search = search})));
+            std::size_t boxes = 0;
+            std::vector<std::uint32_t> asked;
+            const Bounds all = mesh.bounds();
+            for (const SearchStep& step : log.steps()) {
+                if (step.kind == SearchStep::Kind::triangle) {
+                    asked.push_back(step.triangle);
+                    continue;
+                }
+                ++boxes;
+                for (int axis = 0; axis < 3; ++axis) EXPECT_LT(step.box.min[axis], step.box.max[axis]);
+                EXPECT_LE(step.enters, 1);
+                if (boxes == 1) {  // the root holds everything
+                    for (int axis = 0; axis < 3; ++axis) {
+                        EXPECT_LE(step.box.min[axis], all.min[axis]);
+                        EXPECT_GE(step.box.max[axis], all.max[axis]);
+                    }
+                }
+            }
+            EXPECT_EQ(log.dropped(), 0U);
+            EXPECT_EQ(asked.size(), work.triangles);
+            EXPECT_EQ(boxes, search == Search::scalar_tree ? work.nodes : 0);
+            std::sort(asked.begin(), asked.end());
+            EXPECT_EQ(std::adjacent_find(asked.begin(), asked.end()), asked.end()) << "one was asked twice";
+            EXPECT_TRUE(!told || std::binary_search(asked.begin(), asked.end(), told->triangle));
+        }
+    }
+}
+
+TEST(Tree, counts_the_steps_that_found_no_room_in_its_log) {
+    const Mesh mesh = built(make_triangles(11, 100, {0, 0, 0}));
+    SearchStep room[7];
+    SearchLog log(room);
+    QueryWork work{.log = &log};
+    static_cast<void>(
+        mesh.sweep(Sphere{0.3}, {{0, 30, 0}, {0, 31, 0}}, {.search = Search::brute_force, .work = &work}));
+    EXPECT_EQ(log.steps().size(), 7U);
+    EXPECT_EQ(log.dropped(), 93U);
+    log.clear();
+    EXPECT_TRUE(log.steps().empty());
+}
+
 TEST(Tree, of_triangles_that_all_lie_in_one_place_still_answers) {
     Triangles pile;
     pile.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};

@@ -1,8 +1,10 @@
 /// What every source of triangles (a mesh, a height field, voxels, a world) is asked, and how it answers.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include <surefoot/bounds.hpp>
@@ -47,10 +49,49 @@ private:
     bool (*call_)(const void*, std::uint32_t, std::uint32_t) = nullptr;
 };
 
+/// One thing that a search did: it opened a box, or it asked a triangle.
+struct SearchStep {
+    enum class Kind : std::uint8_t { box, triangle };
+
+    Bounds box{};                ///< what was opened; all zeros for a triangle [m]
+    double enters = 0;           ///< what the box was sorted by: for a sweep the time at which its reach gets there
+    std::uint32_t triangle = 0;  ///< which triangle was asked; 0 for a box
+    Kind kind = Kind::box;
+};
+
+/// Writes the steps of a search into the caller's memory until it is full, and counts the ones that found no room.
+class SearchLog {
+public:
+    explicit SearchLog(std::span<SearchStep> room) noexcept : room_(room) {}
+
+    void push(const SearchStep& step) noexcept {
+        if (count_ < room_.size()) room_[count_] = step;
+        ++count_;
+    }
+
+    /// In the order in which they were done.
+    [[nodiscard]] std::span<const SearchStep> steps() const noexcept {
+        return room_.first(count_ < room_.size() ? count_ : room_.size());
+    }
+
+    /// How many steps found no room.
+    [[nodiscard]] std::size_t dropped() const noexcept { return count_ < room_.size() ? 0 : count_ - room_.size(); }
+
+    void clear() noexcept { count_ = 0; }
+
+private:
+    std::span<SearchStep> room_;
+    std::size_t count_ = 0;
+};
+
 /// How much work a query was. Counts are added to what is there.
 struct QueryWork {
     std::uint64_t nodes = 0;      ///< boxes of the tree that were opened
     std::uint64_t triangles = 0;  ///< triangles whose exact test was asked
+    /// What a `Mesh` did, step by step; none by default. Every search tells which triangles it asked; which boxes it
+    /// opened is told by `Search::scalar_tree` alone, since the SIMD search opens eight at once. A `World` hands it on
+    /// to its meshes, which speak of their own triangles in their own frame; other sources tell nothing.
+    SearchLog* log = nullptr;
 };
 
 struct QueryOptions {

@@ -22,6 +22,18 @@ inline double magnitude_in(const MeshView& view, const Motion& motion) noexcept 
     return larger(magnitude_of(motion), magnitude_of(view.bounds));
 }
 
+inline void count_triangle(QueryWork& work, std::uint32_t id) noexcept {
+    ++work.triangles;
+    if (work.log != nullptr) work.log->push({.triangle = id, .kind = SearchStep::Kind::triangle});
+}
+
+inline void count_node(QueryWork& work, const WideNode& node, double enters) noexcept {
+    ++work.nodes;
+    if (work.log == nullptr) return;
+    const Box3 box = box_of_node(node);
+    work.log->push({.box = {to_dvec3(box.min), to_dvec3(box.max)}, .enters = enters});
+}
+
 /// Asks triangles one at a time, in whatever order they come. Query has
 ///     void ask(const LeafBlock&, std::uint32_t slot, std::uint32_t id)    the exact question
 ///     double limit() const                                                 what begins later cannot matter
@@ -35,7 +47,7 @@ public:
         const std::uint32_t id = block.ids()[slot];
         if (view_.is_hidden(id)) return;
         if (options_.filter && !options_.filter(id, view_.surface(id))) return;
-        if (options_.work != nullptr) ++options_.work->triangles;
+        if (options_.work != nullptr) count_triangle(*options_.work, id);
         query_.ask(block, slot, id);
     }
 
@@ -70,16 +82,16 @@ public:
     // The scalar search: the same leaves or fewer, one box at a time.
     template <typename Measure>
     bool ask_measured(const Measure& measure) noexcept {
-        std::uint64_t nodes = 0;
-        const bool done = search_by(
+        return search_by(
             view_, measure,
             [&](std::uint32_t word) {
                 const LeafBlock block = view_.leaf(word);
                 for (std::uint32_t slot = 0; slot < block.count; ++slot) ask(block, slot);
             },
-            [&] { return query_.limit(); }, nodes);
-        if (options_.work != nullptr) options_.work->nodes += nodes;
-        return done;
+            [&] { return query_.limit(); },
+            [&](const WideNode& node, double enters) {
+                if (options_.work != nullptr) count_node(*options_.work, node, enters);
+            });
     }
 
 private:

@@ -33,6 +33,12 @@ double BoxSweep::operator()(const Box3& box) const noexcept {
     return enter <= leave ? enter : 2;
 }
 
+Box3 box_of_node(const WideNode& node) noexcept {
+    Box3 around = box_of_child(node, 0);
+    for (std::uint32_t i = 1; i < node.count && i < tree_width; ++i) around.include(box_of_child(node, i));
+    return around;
+}
+
 double BoxDistance::operator()(const Box3& box) const noexcept {
     double farthest = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -40,11 +40,15 @@ private:
             {node.decoded(0, node.high[0][i]), node.decoded(1, node.high[1][i]), node.decoded(2, node.high[2][i])}};
 }
 
-/// Calls `look(leaf word)` for the leaves whose `measure` of their box is at most `limit()`, least first, and counts
-/// the nodes it opened. Returns false if a bound on the work was exceeded, which only bytes that nobody wrote do.
-template <typename Measure, typename Look, typename Limit>
+/// The box around all children of a node.
+[[nodiscard]] Box3 box_of_node(const WideNode& node) noexcept;
+
+/// Calls `look(leaf word)` for the leaves whose `measure` of their box is at most `limit()`, least first, and
+/// `opened(node, measure)` for the nodes on the way to them. Returns false if a bound on the work was exceeded, which
+/// only bytes that nobody wrote do.
+template <typename Measure, typename Look, typename Limit, typename Opened>
 bool search_by(const MeshView& view, const Measure& measure, const Look& look, const Limit& limit,
-               std::uint64_t& nodes) noexcept {
+               const Opened& opened) noexcept {
     struct Entry {
         double at;
         std::uint32_t child;
@@ -63,8 +67,8 @@ bool search_by(const MeshView& view, const Measure& measure, const Look& look, c
             continue;
         }
         if (left-- == 0) return false;
-        ++nodes;
         const WideNode& node = view.nodes[entry.child];
+        opened(node, entry.at);
         const std::size_t first = size;
         for (std::uint32_t i = 0; i < node.count && i < tree_width; ++i) {
             const std::uint32_t child = node.child[i];
