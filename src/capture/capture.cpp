@@ -6,8 +6,15 @@
 
 #include <surefoot/capture.hpp>
 
+#include "ieee_guard.hpp"
+#include "limits.hpp"
+#include "query/moving_reach.hpp"
+#include "query/reach.hpp"
+
 namespace surefoot {
 inline namespace v0 {
+
+using namespace internal;
 
 namespace {
 
@@ -64,6 +71,50 @@ std::optional<Hit> ask(const World& world, const CapturedQuestion& question, con
                                              : world.sweep(question.volume, question.motion, query);
 }
 
+/// Which triangles of a source the question comes by, asked in the source's own frame.
+class ComesBy {
+public:
+    /// Requires: a question within the limits.
+    ComesBy(const CapturedQuestion& question, const Bounds& bounds) noexcept
+        : reach_(question.motion, extent(question, bounds)) {}
+
+    [[nodiscard]] bool operator()(const Triangle& triangle) const noexcept {
+        return !is_valid_triangle(triangle) || reach_.key(box_of(triangle)) != never;
+    }
+
+private:
+    static Box3 extent(const CapturedQuestion& question, const Bounds& bounds) noexcept {
+        const double magnitude =
+            larger(magnitude_of(question.motion), magnitude_of(Box3{to_vec(bounds.min), to_vec(bounds.max)}));
+        return question.kind == CaptureKind::ray ? extent_of_point(magnitude) : extent_of(question.volume, magnitude);
+    }
+
+    MovingReach reach_;
+};
+
+/// Adds the triangles with these ids; those beside the way only if `all`, or if they are the one that was hit.
+/// Requires: no ids if the question is beyond the limits.
+void add_triangles(Capture& capture, const SourceView& source, std::uint32_t body, std::span<const std::uint32_t> ids,
+                   bool all) {
+    if (ids.empty()) return;
+    const IeeeGuard guard;
+    const ComesBy comes_by(capture.question, source.bounds());
+    for (const std::uint32_t id : ids) {
+        const Triangle triangle = source.triangle(id);
+        const bool was_hit = capture.answer && capture.answer->body == body && capture.answer->triangle == id;
+        if (!all && !was_hit && !comes_by(triangle)) continue;
+        capture.triangles.push_back({.triangle = triangle, .id = id, .surface = source.surface(id), .body = body});
+    }
+}
+
+bool stands_at_origin(const BodyPose& poses) noexcept {
+    const auto is_origin = [](const Pose& pose) {
+        const dquat& q = pose.orientation;
+        return pose.position == dvec3(0, 0, 0) && q.x == 0 && q.y == 0 && q.z == 0;
+    };
+    return is_origin(poses.start) && is_origin(poses.end);
+}
+
 Capture captured(const SourceView& source, const CapturedQuestion& question, const QueryOptions& options) {
     Capture capture = with_origin(question);
     capture.answer = ask(source, question, options);
@@ -75,10 +126,7 @@ Capture captured(const SourceView& source, const CapturedQuestion& question, con
     const QueryOptions looking{.one_sided = options.one_sided, .search = Search::scalar_tree, .filter = look};
     std::vector<std::uint32_t> ids = found.all([&] { static_cast<void>(ask(source, question, looking)); });
     if (capture.answer && capture.answer->status == HitStatus::ok) add_if_missing(ids, capture.answer->triangle);
-    capture.triangles.reserve(ids.size());
-    for (const std::uint32_t id : ids) {
-        capture.triangles.push_back({.triangle = source.triangle(id), .id = id, .surface = source.surface(id)});
-    }
+    add_triangles(capture, source, 0, ids, false);
     return capture;
 }
 
@@ -115,13 +163,10 @@ Capture captured(const World& world, const CapturedQuestion& question, const Wor
         if (!source) continue;
         const BodyPose poses = world.poses(handle);
         capture.bodies.push_back({.body = number, .start = poses.start, .end = poses.end, .bounds = source->bounds()});
+        std::vector<std::uint32_t> ids;
         const auto first = std::lower_bound(triangles.begin(), triangles.end(), BodyAndId{number, 0});
-        for (auto at = first; at != triangles.end() && at->first == number; ++at) {
-            capture.triangles.push_back({.triangle = source->triangle(at->second),
-                                         .id = at->second,
-                                         .surface = source->surface(at->second),
-                                         .body = number});
-        }
+        for (auto at = first; at != triangles.end() && at->first == number; ++at) ids.push_back(at->second);
+        add_triangles(capture, *source, number, ids, !stands_at_origin(poses));
     }
     return capture;
 }

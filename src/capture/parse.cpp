@@ -178,10 +178,12 @@ Version read_version(JsonReader& in) {
     const char* at = text.data();
     const char* const last = at + text.size();
     for (int* const part : {&version.major, &version.minor, &version.patch}) {
-        const bool is_first = part == &version.major;
-        const bool has_dot = is_first || (at != last && *at == '.');
-        const auto read = std::from_chars(at + (is_first || !has_dot ? 0 : 1), last, *part);
-        if (!has_dot || read.ec != std::errc() || *part < 0) in.fail("a version, such as \"1.2.3\", must be here");
+        const bool needs_dot = part != &version.major;
+        const bool has_dot = needs_dot && at != last && *at == '.';
+        std::uint16_t number = 0;  // an unsigned one takes no sign
+        const auto read = std::from_chars(at + (has_dot ? 1 : 0), last, number);
+        if (needs_dot != has_dot || read.ec != std::errc()) in.fail("a version, such as \"1.2.3\", must be here");
+        *part = number;
         at = read.ptr;
     }
     if (at != last) in.fail("a version, such as \"1.2.3\", must be here");
