@@ -216,5 +216,17 @@ TEST(CaptureFile, is_written_and_read_by_path) {
     std::filesystem::remove_all(folder);
 }
 
+// The example stands in docs/capture.md as this library writes it.
+TEST(CaptureFile, the_example_of_the_docs_is_what_is_written) {
+    const Triangle ground{{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}};
+    Capture capture = capture_sweep(ground, Ellipsoid{}, {{-0.5, 2, 0.5}, {-0.5, -2, 0.5}});
+    capture.note = "falls onto the ground";
+    std::ifstream page(SUREFOOT_DOCS_DIR "/capture.md", std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(page)), {});
+    EXPECT_NE(text.find("```json\n" + capture_text(capture) + "```\n"), text.npos) << capture_text(capture);
+    EXPECT_NE(text.find("```text\n" + capture_cpp_test(capture, "falls") + "```\n"), text.npos)
+        << capture_cpp_test(capture, "falls");
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -171,12 +171,13 @@ std::string others_text(const Capture& capture, const CapturedTriangle& hit) {
 std::string question_text(const Capture& capture) {
     const CapturedQuestion& q = capture.question;
     const std::string what = q.kind == CaptureKind::ray ? std::string("ray goes") : describe(q.volume) + " moves";
-    std::string text = fmt::format("{} {} m from ({}) to ({}){}.\n", what,
-                                   short_number(glm::length(q.motion.to - q.motion.from)), short_vector(q.motion.from),
-                                   short_vector(q.motion.to), q.one_sided ? ", one-sided" : "");
+    std::string text =
+        fmt::format("{} {} m from ({}) to ({}){}.\n", what, short_number(glm::length(q.motion.to - q.motion.from)),
+                    short_vector(q.motion.from), short_vector(q.motion.to), q.one_sided ? ", one-sided" : "");
     text += fmt::format("Near its way: {}", counted(capture.triangles.size(), "triangle"));
     if (!capture.bodies.empty())
-        text += fmt::format(" of {}, during [{}, {}] of the tick", capture.bodies.size() == 1 ? "1 body" : grouped(capture.bodies.size()) + " bodies",
+        text += fmt::format(" of {}, during [{}, {}] of the tick",
+                            capture.bodies.size() == 1 ? "1 body" : grouped(capture.bodies.size()) + " bodies",
                             short_number(q.begin), short_number(q.end));
     return text + ".\n";
 }
