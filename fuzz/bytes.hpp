@@ -10,12 +10,15 @@
 
 #include <surefoot/surefoot.hpp>
 
+#include "asking.hpp"
+
 namespace fuzz {
 
 // Not assert: it must hold in every build.
 inline void require(bool condition, const char* promise) {
     if (condition) return;
     std::fprintf(stderr, "broken promise: %s\n", promise);
+    Asking::save(promise);
     std::abort();
 }
 

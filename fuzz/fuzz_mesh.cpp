@@ -43,9 +43,15 @@ void check_queries(const surefoot::Mesh& mesh, Bytes& bytes) {
     const surefoot::Volume volume = bytes.volume(raw);
     const surefoot::Motion motion{bytes.vector(raw), bytes.vector(raw)};
 
+    const auto sweep = [&] { return surefoot::capture_sweep(mesh, volume, motion, tree); };
+    const auto ray = [&] { return surefoot::capture_ray(mesh, motion, tree); };
+    {
+        const Asking asking(ray);
+        require_same(mesh.ray(motion, tree), mesh.ray(motion, force));
+    }
+    const Asking asking(sweep);
     const auto swept = mesh.sweep(volume, motion, tree);
     require_same(swept, mesh.sweep(volume, motion, force));
-    require_same(mesh.ray(motion, tree), mesh.ray(motion, force));
     const bool valid = surefoot::is_valid(volume) && is_within_limits(motion);
     require(swept || valid || mesh.triangle_count() == 0, "data outside the limits are no free pass");
     if (swept) require_sound(*swept, valid);

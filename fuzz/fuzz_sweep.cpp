@@ -13,6 +13,10 @@ bool equal(const surefoot::Hit& a, const surefoot::Hit& b) {
 
 void check_sweep(const surefoot::Volume& volume, const surefoot::Motion& motion, const surefoot::Triangle& triangle,
                  bool one_sided) {
+    const auto capture = [&] {
+        return surefoot::capture_sweep(triangle, volume, motion, surefoot::SweepOptions{.one_sided = one_sided});
+    };
+    const Asking asking(capture);
     const bool valid = surefoot::is_valid(volume) && is_within_limits(motion) && is_within_limits(triangle);
     const auto hit = surefoot::sweep(volume, motion, triangle, {.one_sided = one_sided});
     require(hit || valid, "data outside the limits are no free pass");

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Runs every fuzz target of build/fuzz for its share of the time. What it finds it leaves in build/fuzz/findings.
+# Runs every fuzz target of build/fuzz for its share of the time. What it finds it leaves in build/fuzz/findings;
+# of a sweep or a ray also a moment-*.json for `surefoot replay`.
 #
 #     scripts/fuzz.sh [SECONDS]                  all targets together take this long (default: 600)
 #     build/fuzz/fuzz/fuzz_sweep FINDING         one finding again
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[[ ${1:-} != --help && ${1:-} != -h ]] || { sed -n '2,5s/^# \{0,1\}//p' "$0"; exit 0; }
+[[ ${1:-} != --help && ${1:-} != -h ]] || { sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 0; }
 seconds=${1:-600}
 
 targets=()
@@ -14,6 +15,7 @@ while IFS= read -r target; do targets+=("$target"); done < <(find build/fuzz/fuz
 share=$((seconds / ${#targets[@]}))
 
 failed=()
+export SUREFOOT_FUZZ_FINDINGS=build/fuzz/findings
 for target in "${targets[@]}"; do
     name=$(basename "$target")
     mkdir -p "build/fuzz/corpus/$name" build/fuzz/findings

@@ -12,6 +12,7 @@
 #include "fault.hpp"
 #include "judge/runner.hpp"
 #include "prove/bridge.hpp"
+#include "prove/failure.hpp"
 
 namespace surefoot::tools {
 namespace {
@@ -101,6 +102,29 @@ TEST_P(Faults, is_caught) {
         line += (i == 0 ? "" : ", ") + by_verdict[i].second + ' ' + std::to_string(by_verdict[i].first);
     std::printf("%s |\n", line.c_str());
     EXPECT_GT(more, 0U) << "the judge was fooled";
+}
+
+// What `prove --save-failures` writes: the moment replays as it was judged in the build that was wrong, and differs in
+// the one that is right.
+TEST(SavedFailures, replay_to_the_wrong_answer_where_the_fault_is_and_differ_elsewhere) {
+    internal::active_fault() = Fault::mirrored_normal;
+    judge::Plan plan;
+    plan.queries_per_shape = 400;
+    std::vector<std::string> texts;
+    plan.record = [&](const judge::Record& record) { texts.push_back(capture_text(capture_from(record))); };
+    (void)judge::run(plan, [] { return judge::Sweep(ask); });
+    ASSERT_GT(texts.size(), 100U);
+    std::size_t differing = 0;
+    for (const std::string& text : texts) {
+        const auto capture = parse_capture(text);
+        ASSERT_TRUE(capture.has_value()) << capture.error().text;
+        EXPECT_FALSE(capture->note.empty());
+        internal::active_fault() = Fault::mirrored_normal;
+        EXPECT_TRUE(replay(*capture).is_same()) << text;
+        internal::active_fault() = Fault::none;
+        differing += replay(*capture).differs.normal ? 1 : 0;
+    }
+    EXPECT_EQ(differing, texts.size());
 }
 
 }  // namespace

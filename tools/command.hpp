@@ -11,7 +11,7 @@ namespace surefoot::tools {
 /// What the program says to a script when it ends.
 enum class ExitCode : int {
     ok = 0,      ///< answered; a hit and no hit are both answers
-    failed = 1,  ///< done, but not all was well: `prove` found a failure, or a batch had bad lines
+    failed = 1,  ///< done, but not all was well: `prove` found a failure, a replay differs, a batch had bad lines
     usage = 2,   ///< the command line makes no sense
     file = 3,    ///< a file cannot be read or written
 };
@@ -34,6 +34,7 @@ void add_export(CLI::App& program, Run& run);
 void add_tour(CLI::App& program, Run& run);
 void add_prove(CLI::App& program, Run& run);
 void add_bench(CLI::App& program, Run& run);
+void add_replay(CLI::App& program, Run& run);
 
 /// The part of the help that is the same for every subcommand.
 [[nodiscard]] std::string help_footer(std::string_view examples);

@@ -9,6 +9,7 @@
 #include "batch.hpp"
 #include "command.hpp"
 #include "level.hpp"
+#include "moment.hpp"
 #include "options.hpp"
 #include "query.hpp"
 #include "text.hpp"
@@ -22,6 +23,8 @@ struct SweepOptionsGiven {
     std::string from;
     std::string to;
     std::string batch;
+    std::string save;
+    std::string note;
     bool json = false;
     bool trace = false;
 };
@@ -117,9 +120,9 @@ std::string answer_text(const Level& level, const SweepQuery& query, const std::
 }
 
 ExitCode sweep_batch(const SweepOptionsGiven& given) {
-    if (!given.from.empty() || !given.to.empty() || given.trace)
+    if (!given.from.empty() || !given.to.empty() || given.trace || !given.save.empty())
         throw Failure{ExitCode::usage,
-                      "--from, --to and --trace ask one question and --batch asks many: give one or the other"};
+                      "--from, --to, --trace and --save ask one question and --batch asks many: give one or the other"};
     QueryDefaults defaults{.shape = {}, .rotate = given.volume.rotate_value(), .one_sided = given.volume.one_sided};
     if (given.volume.has_shape()) defaults.shape = given.volume.shape_value();
     std::ios::sync_with_stdio(false);
@@ -155,6 +158,11 @@ ExitCode sweep_once(const SweepOptionsGiven& given) {
     Trace trace(room);
     const std::optional<Hit> hit = level.mesh.sweep(
         query.volume, query.motion, {.one_sided = query.one_sided, .trace = given.trace ? &trace : nullptr});
+    if (!given.save.empty()) {
+        Capture moment = capture_sweep(level.mesh, query.volume, query.motion, {.one_sided = query.one_sided});
+        moment.note = given.note.empty() ? "surefoot sweep " + given.level.file : given.note;
+        save_moment(moment, given.save);
+    }
     if (hit && hit->status != HitStatus::ok)
         throw Failure{ExitCode::failed, "this query is beyond what can be computed, so it counts as blocked"};
     std::string out;
@@ -185,13 +193,22 @@ void add_sweep(CLI::App& program, Run& run) {
         ->type_name("FILE");
     command->add_flag("--json", given->json, "Print the answer as one line of JSON, as --batch does");
     command->add_flag("--trace", given->trace, "Show which planes were tried and what became of them");
+    auto* save = command
+                     ->add_option("--save", given->save,
+                                  "Also save the question, the triangles near its way and the answer, for `surefoot "
+                                  "replay`")
+                     ->type_name("FILE");
+    command->add_option("--note", given->note, "What the saved moment says about itself (default: the level)")
+        ->type_name("TEXT")
+        ->needs(save);
     command->footer(help_footer(
         "  surefoot sweep castle.obj --shape ellipsoid:0.4,0.9,0.4 --from 0,2,0 --to 0,2,12\n"
         "  surefoot sweep castle.obj --shape box:0.5,1,0.5 --rotate 0.9,0,0.4,0 --from -1,2,3 --to 4,0,3 --trace\n"
         "  echo '{\"shape\":{\"sphere\":[0.5]},\"from\":[0,9,0],\"to\":[0,-9,0]}' | surefoot sweep castle.obj --batch "
         "-\n"
         "\nIn a batch, answer N belongs to line N; a bad line is answered with {\"error\":\"line N: ...\"}.\n"
-        "Exit codes: 0 answered, 1 a batch had bad lines, 2 wrong usage, 3 a file cannot be read."));
+        "Exit codes: 0 answered, 1 a batch had bad lines, 2 wrong usage, 3 a file cannot be read or "
+        "written."));
     command->callback(
         [given, &run] { run = [given] { return given->batch.empty() ? sweep_once(*given) : sweep_batch(*given); }; });
 }

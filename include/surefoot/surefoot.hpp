@@ -3,6 +3,7 @@
 
 #include <surefoot/barycentrics.hpp>
 #include <surefoot/bounds.hpp>
+#include <surefoot/capture.hpp>
 #include <surefoot/cook.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>

@@ -17,6 +17,9 @@ struct Version {
 /// The version of the headers that the caller was compiled with.
 inline constexpr Version header_version{.major = 0, .minor = 1, .patch = 0};
 
+/// The inline namespace that every name is in: two libraries with the same one take each other's data.
+inline constexpr const char* abi_name = "v0";
+
 /// The version of the library that the caller is linked with.
 [[nodiscard]] Version library_version() noexcept;
 

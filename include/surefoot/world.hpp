@@ -158,6 +158,10 @@ public:
     [[nodiscard]] bool contains(BodyHandle handle) const noexcept;
     [[nodiscard]] std::size_t body_count() const noexcept;
 
+    /// The body's source, to be asked in the body's own frame; good as long as the body is in the world. Requires: it
+    /// is in; asserts otherwise, else there is none.
+    [[nodiscard]] std::optional<SourceView> source(BodyHandle handle) const noexcept;
+
     /// The body's number and poses. Requires: the body is in; asserts otherwise, else says all zeros.
     [[nodiscard]] BodyPose poses(BodyHandle handle) const noexcept;
 

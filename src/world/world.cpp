@@ -166,6 +166,12 @@ std::size_t World::body_count() const noexcept {
     return state_->by_id.size();
 }
 
+std::optional<SourceView> World::source(BodyHandle handle) const noexcept {
+    const WorldBody* const body = state_->bodies.get(handle);
+    assert(body != nullptr && "World::source: this body is dead or was never in this world; ask contains() first");
+    return body != nullptr ? std::optional(body->source) : std::nullopt;
+}
+
 BodyPose World::poses(BodyHandle handle) const noexcept {
     const WorldBody* const body = state_->bodies.get(handle);
     assert(body != nullptr && "World::poses: this body is dead or was never in this world; ask contains() first");

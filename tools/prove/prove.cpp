@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,8 +10,10 @@
 
 #include "bridge.hpp"
 #include "command.hpp"
+#include "failure.hpp"
 #include "judge/runner.hpp"
 #include "lines.hpp"
+#include "moment.hpp"
 #include "text.hpp"
 
 namespace surefoot::tools {
@@ -23,6 +26,7 @@ struct ProveOptions {
     std::vector<std::string> shapes;
     std::vector<std::string> families;
     std::string dump;
+    std::string save_failures;
     bool json = false;
 };
 
@@ -99,6 +103,42 @@ void show_progress(double share) {
     std::fflush(stderr);
 }
 
+/// Keeps the first failures as moments, a file each.
+class FailureFolder {
+public:
+    explicit FailureFolder(const std::string& folder) : folder_(folder) {
+        if (folder.empty()) return;
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw Failure{ExitCode::file, fmt::format("cannot make the folder {}: {}", folder, error.message())};
+    }
+
+    void take(const judge::Record& record) {
+        constexpr std::size_t most = 1000;
+        if (folder_.empty() || saved_ == most) return;
+        const std::string path =
+            fmt::format("{}/{}-{}-{}.json", folder_, judge::name_of(record.query.kind), record.family.name, ++saved_);
+        if (const auto written = write_capture(capture_from(record), path); !written && wrong_.empty())
+            wrong_ = written.error().text;
+    }
+
+    /// What stands under the first failures.
+    [[nodiscard]] std::string text() const {
+        if (folder_.empty()) return "--save-failures DIR saves each in a file that `surefoot replay` explains.\n";
+        return fmt::format("{} saved in {}; `surefoot replay` explains them.\n", grouped(saved_), folder_);
+    }
+
+    /// Fails if one could not be written.
+    void check() const {
+        if (!wrong_.empty()) throw Failure{ExitCode::file, wrong_};
+    }
+
+private:
+    std::string folder_;
+    std::size_t saved_ = 0;
+    std::string wrong_;
+};
+
 judge::Plan plan_from(const ProveOptions& given) {
     judge::Plan plan;
     plan.queries_per_shape = given.queries;
@@ -122,6 +162,7 @@ ExitCode run_prove(const ProveOptions& given) {
         if (!dump) throw Failure{ExitCode::file, fmt::format("cannot write {}: does its folder exist?", given.dump)};
         plan.record_all = true;
     }
+    FailureFolder saved(given.save_failures);
     std::string failures;
     std::uint64_t shown = 0;
     plan.record = [&](const judge::Record& record) {
@@ -130,7 +171,9 @@ ExitCode run_prove(const ProveOptions& given) {
         line += '\n';
         if (dump) written = written && std::fwrite(line.data(), 1, line.size(), dump.get()) == line.size();
         constexpr std::uint64_t most_shown = 5;
-        if (record.judgement.verdict != judge::Verdict::right && shown++ < most_shown) failures += line;
+        if (record.judgement.verdict == judge::Verdict::right) return;
+        if (shown++ < most_shown) failures += line;
+        saved.take(record);
     };
     const bool bar = isatty(STDERR_FILENO) != 0;
     if (bar) plan.progress = show_progress;
@@ -140,6 +183,8 @@ ExitCode run_prove(const ProveOptions& given) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (dump && (std::fflush(dump.get()) != 0 || !written))
         throw Failure{ExitCode::file, fmt::format("{} did not take everything: is the disk full?", given.dump)};
+
+    saved.check();
 
     judge::Tally all;
     for (const judge::Row& row : rows) all.add(row.tally);
@@ -153,7 +198,7 @@ ExitCode run_prove(const ProveOptions& given) {
         out +=
             fmt::format("{} queries judged in {}, seed {}: {}\n", grouped(all.queries), duration(seconds), given.seed,
                         proved ? "every answer is proved right." : fmt::format("{} FAILED.", grouped(all.failures())));
-        if (!proved) out += fmt::format("\nThe first failures:\n{}", failures);
+        if (!proved) out += fmt::format("\nThe first failures:\n{}{}", failures, saved.text());
         write_out(out);
     }
     return proved ? ExitCode::ok : ExitCode::failed;
@@ -185,13 +230,17 @@ void add_prove(CLI::App& program, Run& run) {
         ->capture_default_str();
     command->add_option("--dump", given->dump, "Write every query, answer and verdict there, a JSON line each")
         ->type_name("FILE");
+    command
+        ->add_option("--save-failures", given->save_failures,
+                     "Save failures as moments in this folder, for `surefoot replay`; the first 1000")
+        ->type_name("DIR");
     command->add_flag("--json", given->json, "Print the counts as JSON");
     command->footer("\nFamilies:\n" + about +
                     help_footer("  surefoot prove\n"
                                 "  surefoot prove --queries 10000000 --shape ellipsoid\n"
                                 "  surefoot prove --family tangent --family touching --seed 7 --dump queries.jsonl\n"
                                 "\nExit codes: 0 every answer is proved right, 1 at least one is not, 2 wrong usage,\n"
-                                "3 the dump cannot be written."));
+                                "3 the dump or a failure cannot be written."));
     command->callback([given, &run] { run = [given] { return run_prove(*given); }; });
 }
 

@@ -1,0 +1,110 @@
+// surefoot replay: a saved moment is asked again. The same bits?
+#include <fmt/format.h>
+#include <memory>
+#include <vector>
+
+#include "command.hpp"
+#include "moment.hpp"
+#include "query.hpp"
+
+namespace surefoot::tools {
+namespace {
+
+struct ReplayOptions {
+    std::vector<std::string> files;
+    bool json = false;
+    bool cpp = false;
+};
+
+std::string version_of(const Version& v) {
+    return fmt::format("{}.{}.{}", v.major, v.minor, v.patch);
+}
+
+std::string report(const std::string& file, const Capture& capture, const Replay& again) {
+    std::string text =
+        fmt::format("{}, saved by surefoot {} ({})\n", file, version_of(capture.origin.library), capture.origin.abi);
+    if (!capture.note.empty()) text += fmt::format("Note: {}\n", capture.note);
+    text += question_text(capture);
+    text += "Recorded:\n" + moment_answer_text(capture.question, capture.answer);
+    if (again.is_same()) {
+        text += "Asked again: the same, to the last bit.\n";
+    } else {
+        text += fmt::format("Asked again by surefoot {}: DIFFERENT in {}.\n", version_of(library_version()),
+                            difference_text(again.differs));
+        text += moment_answer_text(capture.question, again.answer);
+    }
+    return text + "Why: " + why_text(capture, again.answer);
+}
+
+std::string json_line(const std::string& file, const Capture& capture, const Replay& again) {
+    std::string text = fmt::format(R"({{"file":{},"same":{},"differs":[)", json_string(file), again.is_same());
+    const std::string names = difference_text(again.differs);
+    for (std::size_t at = 0; at < names.size();) {
+        const std::size_t end = std::min(names.find(", ", at), names.size());
+        text += (at == 0 ? "" : ",") + json_string(again.differs.hit ? "hit" : names.substr(at, end - at));
+        at = end + 2;
+    }
+    text += R"(],"recorded":)";
+    append_answer(text, capture.answer);
+    text += R"(,"answer":)";
+    append_answer(text, again.answer);
+    return text + fmt::format(R"(,"triangles":{},"library":{},"note":{}}})"
+                              "\n",
+                              capture.triangles.size(), json_string(version_of(capture.origin.library)),
+                              json_string(capture.note));
+}
+
+/// The file's name without its folder and ending: what its test is called.
+std::string stem_of(const std::string& file) {
+    const std::size_t slash = file.find_last_of("/\\");
+    const std::string name = slash == std::string::npos ? file : file.substr(slash + 1);
+    return name.substr(0, name.find('.'));
+}
+
+ExitCode run_replay(const ReplayOptions& given) {
+    ExitCode code = ExitCode::ok;
+    for (std::size_t i = 0; i < given.files.size(); ++i) {
+        const std::string& file = given.files[i];
+        const Expected<Capture> capture = read_capture(file);
+        if (!capture) {
+            fmt::print(stderr, "surefoot: {}\n", capture.error().text);
+            code = ExitCode::file;
+            continue;
+        }
+        if (given.cpp) {
+            write_out(capture_cpp_test(*capture, stem_of(file)));
+            continue;
+        }
+        const Replay again = replay(*capture);
+        if (!again.is_same() && code == ExitCode::ok) code = ExitCode::failed;
+        if (given.json) {
+            write_out(json_line(file, *capture, again));
+        } else {
+            write_out((i == 0 ? "" : "\n") + report(file, *capture, again));
+        }
+    }
+    return code;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program, Run& run) {
+    auto* command = program.add_subcommand("replay", "Ask a saved moment again: the same bits, and why?");
+    const auto given = std::make_shared<ReplayOptions>();
+    command
+        ->add_option("files", given->files, "Moments, as `sweep --save`, `prove --save-failures` or a game wrote them")
+        ->type_name("FILE")
+        ->required();
+    auto* json = command->add_flag("--json", given->json, "Print a line of JSON for each file");
+    command->add_flag("--cpp", given->cpp, "Print each as a GoogleTest case in C++ that expects the recorded answer")
+        ->excludes(json);
+    command->footer(
+        help_footer("  surefoot sweep castle.obj --shape sphere:0.5 --from 0,2,0 --to 0,2,12 --save moment.json\n"
+                    "  surefoot replay moment.json\n"
+                    "  surefoot replay moment.json --cpp > moment_test.cpp\n"
+                    "\nExit codes: 0 each is the same, 1 at least one differs, 2 wrong usage, 3 a file cannot be "
+                    "read."));
+    command->callback([given, &run] { run = [given] { return run_replay(*given); }; });
+}
+
+}  // namespace surefoot::tools
