@@ -4,6 +4,7 @@
 #include <surefoot/barycentrics.hpp>
 #include <surefoot/bounds.hpp>
 #include <surefoot/cook.hpp>
+#include <surefoot/debug_draw.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>
 #include <surefoot/height_field.hpp>
