@@ -41,8 +41,12 @@ public:
 
     void enter(Stage& stage) override {
         stage_ = &stage;
+        usual_sky_ = stage.renderer.sky;
+        stage.renderer.sky.shadow_radius = 15;
+        stage.renderer.sky.fog_distance = 120;
+        stage.renderer.sky.towards_sun = {-0.55, 0.75, 0.45};
         Masonry masonry;
-        masonry.block({-60, -1, -60}, {60, 0, 60});
+        masonry.block({-4000, -1, -4000}, {4000, 0, 4000});
         for (int i = 0; i < 6; ++i) {
             const auto x = static_cast<float>(i) * 2.2F - 5.5F;
             masonry.block({x - 0.95F, 0, -0.95F}, {x + 0.95F, 0.22F * static_cast<float>(i + 1), 0.95F});
@@ -50,9 +54,11 @@ public:
         if (const auto mesh = masonry.build())
             model_ = view::Model::make(
                 *mesh, [](const SourceTriangle& t) { return t.id < 12 ? rgb(0xC9C3B8) : rgb(0xB8B0A2); });
-        camera_.jump_to({.pivot = {0.4, 1.1, 0}, .yaw = 0.62, .pitch = 0.24, .distance = 12.5});
+        camera_.jump_to({.pivot = {0.2, 1.0, 0}, .yaw = 0.5, .pitch = 0.13, .distance = 13.5});
         camera_.field_of_view = 0.7;
     }
+
+    void leave() override { stage_->renderer.sky = usual_sky_; }
 
     bool event(const view::InputEvent& event) override {
         if (const auto* const drop = std::get_if<view::FileDrop>(&event); drop != nullptr && !drop->files.empty()) {
@@ -66,7 +72,7 @@ public:
     bool update(double dt) override {
         time_ += dt;
         auto stand = camera_.goal();
-        stand.yaw = 0.62 + 0.10 * std::sin(time_ * 0.25);
+        stand.yaw = 0.5 + 0.10 * std::sin(time_ * 0.25);
         camera_.jump_to(stand);
         return true;
     }
@@ -74,12 +80,14 @@ public:
     [[nodiscard]] view::Camera camera() const override {
         view::Camera camera = camera_.camera();
         // The shapes stand in the upper half; cards are below.
-        camera.forward = glm::normalize(camera.forward - camera.above() * 0.12);
+        camera.forward = glm::normalize(camera.forward - camera.above() * 0.10);
         return camera;
     }
 
     void draw(view::Renderer& renderer) override {
-        if (model_) renderer.model(model_, {.edges = {.width = 1}});
+        view::ModelLook look{.edges = {.width = 1.5}};
+        look.edges.kinds[static_cast<int>(EdgeKind::flat)] = view::with_opacity(view::paint::ink, 0);
+        if (model_) renderer.model(model_, look);
         const std::array<Shape, 6> shapes{Sphere{0.62},          Ellipsoid{{0.5, 0.9, 0.5}}, Capsule{0.42, 0.5},
                                           Box{{0.5, 0.75, 0.5}}, Cylinder{0.5, 0.75},        Cone{0.55, 1.6}};
         constexpr std::array<view::Colour, 6> colours{rgb(0xE0483E), rgb(0xF2912B), rgb(0xE9C13B),
@@ -149,6 +157,7 @@ private:
 
     std::function<void(std::string_view)> choose_;
     Stage* stage_ = nullptr;
+    view::Sky usual_sky_;
     std::shared_ptr<view::Model> model_;
     view::OrbitCamera camera_;
     double time_ = 0;

@@ -29,10 +29,11 @@ struct Sky {
     vec3 sun{1.02F, 0.92F, 0.76F};
     vec3 above{0.34F, 0.41F, 0.52F};   ///< light from the sky on what faces up
     vec3 below{0.20F, 0.185F, 0.17F};  ///< light from the ground on what faces down
-    vec3 zenith{0.135F, 0.265F, 0.43F};
-    vec3 horizon{0.60F, 0.69F, 0.74F};
-    vec3 nadir{0.28F, 0.29F, 0.30F};
+    vec3 zenith{0.115F, 0.26F, 0.47F};
+    vec3 horizon{0.66F, 0.735F, 0.76F};
+    vec3 nadir{0.40F, 0.45F, 0.49F};
     double fog_distance = 900;  ///< where half of the colour is the fog's [m]
+    double shadow_radius = 90;  ///< larger levels have the shadows of a region around what is looked at [m]
 };
 
 /// What every lit thing of one frame shares.

@@ -8,9 +8,6 @@
 namespace surefoot::view {
 namespace {
 
-// Larger levels have the shadows of a region around what is looked at.
-constexpr double largest_region = 90;  // [m]
-
 // How much nearer to the eye a triangle of debug drawing counts as than it is.
 constexpr float triangle_lift = 0.0008F;
 
@@ -58,6 +55,7 @@ void Renderer::end(unsigned framebuffer) {
 void Renderer::draw_shadows() {
     Parts& p = *parts_;
     const Camera& camera = view_.camera;
+    const double largest_region = sky.shadow_radius;
     if (!p.still || p.still->size() != effects.shadow_size) {
         p.still.emplace(effects.shadow_size);
         p.moving.emplace(1024);
