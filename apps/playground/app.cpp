@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -13,6 +14,8 @@
 
 namespace surefoot::playground {
 namespace {
+
+volatile std::sig_atomic_t asked_to_end = 0;
 
 constexpr double tick = 1.0 / 60;
 constexpr int most_ticks = 4;  // a frame; a slow machine goes slower rather than ever farther behind
@@ -77,6 +80,7 @@ void App::go_to(std::string_view room) {
 }
 
 void App::play(view::Script script) {
+    quit_ = false;
     player_.emplace(std::move(script), [](std::string_view label) { return view::ui::find_item(label); });
 }
 
@@ -96,7 +100,10 @@ ExitCode App::run() {
         }
         play(std::move(*script));
     }
-    while (frame()) {
+    // Who ends a session ends it well: settings are kept.
+    std::signal(SIGTERM, [](int) { asked_to_end = 1; });
+    std::signal(SIGINT, [](int) { asked_to_end = 1; });
+    while (frame() && asked_to_end == 0) {
     }
     if (!options_.screenshot.empty() && failure_.empty()) keep_picture(options_.screenshot);
     keep_settings();

@@ -42,7 +42,7 @@ public:
     void enter(Stage& stage) override {
         stage_ = &stage;
         usual_sky_ = stage.renderer.sky;
-        stage.renderer.sky.shadow_radius = 15;
+        stage.renderer.sky.shadow_radius = 26;
         stage.renderer.sky.fog_distance = 120;
         stage.renderer.sky.towards_sun = {-0.55, 0.75, 0.45};
         Masonry masonry;
@@ -54,7 +54,7 @@ public:
         if (const auto mesh = masonry.build())
             model_ = view::Model::make(
                 *mesh, [](const SourceTriangle& t) { return t.id < 12 ? rgb(0xC9C3B8) : rgb(0xB8B0A2); });
-        camera_.jump_to({.pivot = {0.2, 1.0, 0}, .yaw = 0.5, .pitch = 0.13, .distance = 13.5});
+        camera_.jump_to({.pivot = {0.3, 0.9, 0}, .yaw = 0.42, .pitch = 0.2, .distance = 12.8});
         camera_.field_of_view = 0.7;
     }
 
@@ -72,7 +72,7 @@ public:
     bool update(double dt) override {
         time_ += dt;
         auto stand = camera_.goal();
-        stand.yaw = 0.5 + 0.10 * std::sin(time_ * 0.25);
+        stand.yaw = 0.42 + 0.10 * std::sin(time_ * 0.25);
         camera_.jump_to(stand);
         return true;
     }
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] view::Camera camera() const override {
         view::Camera camera = camera_.camera();
         // The shapes stand in the upper half; cards are below.
-        camera.forward = glm::normalize(camera.forward - camera.above() * 0.10);
+        camera.forward = glm::normalize(camera.forward - camera.above() * 0.05);
         return camera;
     }
 

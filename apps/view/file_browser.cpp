@@ -95,9 +95,7 @@ void FileBrowser::draw() {
             (entry.is_folder ? go : take) = path;
         }
         if (entry.is_folder) continue;
-        const std::string text = size_text(entry.size);
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x - letter * 0.5F);
-        ui::note(text);
+        ui::at_right(size_text(entry.size));
     }
     if (entries_.empty()) ui::note("Nothing in this folder can be opened.");
     ImGui::EndChild();

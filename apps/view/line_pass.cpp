@@ -39,7 +39,7 @@ void LinePass::add(const vec3& from, const vec3& to, double from_width, double t
         {from, to, static_cast<float>(from_width), static_cast<float>(to_width), static_cast<float>(behind), colour});
 }
 
-void LinePass::draw(const gl::mat4& clip_from_eye, const gl::ivec2& picture, double nearest) {
+void LinePass::draw(const gl::mat4& clip_from_eye, const gl::ivec2& picture, double nearest, double pixel) {
     if (lines_.empty()) return;
     gl::stream(buffer_, lines_.data(), lines_.size() * sizeof(Line));
     program_.use();
@@ -47,6 +47,7 @@ void LinePass::draw(const gl::mat4& clip_from_eye, const gl::ivec2& picture, dou
     program_.set("picture", gl::vec2(picture));
     program_.set("nearest", static_cast<float>(nearest));
     program_.set("lift", lift);
+    program_.set("pixel", static_cast<float>(pixel));
     glBindVertexArray(array_.id());
     glEnable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);

@@ -27,8 +27,8 @@ public:
     void clear() { lines_.clear(); }
     [[nodiscard]] std::size_t size() const { return lines_.size(); }
 
-    /// Into the framebuffer that is bound, against its depth.
-    void draw(const gl::mat4& clip_from_eye, const gl::ivec2& picture, double nearest);
+    /// `pixel` is how large one is at a metre from the eye. Into the framebuffer that is bound, against its depth.
+    void draw(const gl::mat4& clip_from_eye, const gl::ivec2& picture, double nearest, double pixel);
 
 private:
     struct Line {

@@ -44,8 +44,8 @@ void Renderer::end(unsigned framebuffer) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glBlendEquation(GL_FUNC_ADD);
+    p.canvas.fit(view_.framebuffer);  // before shadow maps are bound: making textures binds them in their place
     if (effects.shadows) draw_shadows();
-    p.canvas.fit(view_.framebuffer);
     draw_scene();
     finish(framebuffer);
     counts_.lines = p.lines.size();
@@ -259,7 +259,7 @@ void Renderer::finish(unsigned framebuffer) {
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
     // Lines are smooth by themselves, and smoothing them twice would blur them.
-    p.lines.draw(p.clip_from_eye, size, view_.camera.nearest);
+    p.lines.draw(p.clip_from_eye, size, view_.camera.nearest, view_.camera.unit_at(1, size));
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     const GLuint drawn = effects.smooth_edges ? p.canvas.smooth.id() : p.canvas.scene.id();

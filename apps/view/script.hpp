@@ -17,7 +17,7 @@
 ///     text 1.5                 types
 ///     drop level.obj           drops a file on the window
 ///     resize 800 600           makes the window another size
-///     screenshot out.png       keeps a picture of this frame
+///     screenshot out.png       keeps a picture of this frame; what follows is in the next
 ///     quit
 #pragma once
 

@@ -117,9 +117,11 @@ Expected<ScriptPlayer::Frame> ScriptPlayer::next() {
         }
         // What waits has its frame looked at again; what does something ends with the frame that it did it in.
         if (!step(command, frame)) return frame;
+        const bool pictured = command.kind == Kind::screenshot;
         ++at_;
         spent_ = 0;
         label_wait_ = 0;
+        if (pictured) return frame;  // what follows must not be in the picture
     }
     return frame;
 }

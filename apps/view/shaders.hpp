@@ -240,13 +240,15 @@ uniform mat4 clip_from_eye;
 uniform vec2 picture;
 uniform float nearest;
 uniform float lift;
+uniform float pixel; // how large one is a metre away
 uniform float behind;
 flat out vec4 v_ends;
 flat out vec2 v_radii;
 flat out vec4 v_colour;
 
-float depth_of(vec3 place) {
-    vec4 nearer = clip_from_eye * vec4(place * (1.0 - lift), 1.0);
+// A round thing in the picture's plane lies before the surface that it marks, and is not cut in half by it.
+float depth_of(vec3 place, float radius) {
+    vec4 nearer = clip_from_eye * vec4(place * (1.0 - lift - min(radius * pixel * 2.5, 0.1)), 1.0);
     return nearer.z / max(nearer.w, 1e-6);
 }
 
@@ -283,7 +285,7 @@ void main() {
     corner += vec2(-along.y, along.x) * side * room;
     v_ends = vec4(a_at, b_at);
     v_radii = radii;
-    gl_Position = vec4(corner / picture * 2.0 - 1.0, depth_of(at_end ? b : a), 1.0);
+    gl_Position = vec4(corner / picture * 2.0 - 1.0, depth_of(at_end ? b : a, max(radii.x, radii.y)), 1.0);
 }
 )";
 

@@ -39,9 +39,9 @@ void apply_theme(double scale) {
 
     const auto set = [&](ImGuiCol which, Colour colour) { style.Colors[which] = to_imgui(colour); };
     const Colour panel = rgb(0x1B242D, 0.93);
-    const Colour raised = rgb(0x2B3843);
-    const Colour hovered = rgb(0x374857);
-    const Colour active = rgb(0x43586A);
+    const Colour raised = rgb(0x33424F);
+    const Colour hovered = rgb(0x3F5263);
+    const Colour active = rgb(0x4A6174);
     set(ImGuiCol_Text, rgb(0xE8EDF1));
     set(ImGuiCol_TextDisabled, rgb(0x94A3AF));
     set(ImGuiCol_WindowBg, panel);

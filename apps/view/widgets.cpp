@@ -177,6 +177,12 @@ void key_colour(Colour colour, std::string_view text) {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
 }
 
+void at_right(std::string_view text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - size.x);
+    ImGui::TextDisabled("%.*s", static_cast<int>(text.size()), text.data());
+}
+
 void hint(std::string_view text) {
     if (!ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();

@@ -41,6 +41,9 @@ void heading(std::string_view text);
 void note(std::string_view text);
 void key_colour(Colour colour, std::string_view text);
 
+/// A quiet text at the right border, in the line of the last widget.
+void at_right(std::string_view text);
+
 /// What is told of the last widget when the pointer rests on it.
 void hint(std::string_view text);
 

@@ -67,11 +67,9 @@ std::optional<dvec3> Findings::ui() {
         ui::checkbox(group.name, group.shown);
         ImGui::EndDisabled();
         ui::hint(group.meaning);
-        const std::string count = std::to_string(group.finding.count);
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFontSize() * 4.5F);
         ui::key_colour(group.colour, "");
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x);
-        ui::note(count);
+        ui::at_right(std::to_string(group.finding.count));
         ImGui::PopID();
     }
     ui::checkbox("Marks", shown);

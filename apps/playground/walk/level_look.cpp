@@ -146,9 +146,7 @@ void LevelLook::ui() {
         }
         ImGui::BeginGroup();
         ui::key_colour(surfaces_[i].colour, surfaces_[i].text);
-        const std::string count = std::to_string(surfaces_[i].triangles);
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x);
-        ui::note(count);
+        ui::at_right(std::to_string(surfaces_[i].triangles));
         ImGui::EndGroup();
         if (ImGui::IsItemHovered()) lit = static_cast<int>(i);
     }
