@@ -12,12 +12,13 @@ struct Effects {
     bool shadows = true;
     bool smooth_edges = true;  ///< FXAA
     bool fog = true;
+    bool fine_edges = true;  ///< thin lines on the edges of models, where they are no more than decoration
     int shadow_size = 2048;  ///< of the map, in texels
 
-    /// What stays is what helps to read the picture: light, fog and the shadows of what stands still.
+    /// What stays is light, fog and the lines that mean something, which are smooth by themselves.
     [[nodiscard]] static Effects full() { return {}; }
     [[nodiscard]] static Effects software() {
-        return {.shadows = false, .smooth_edges = true, .fog = true, .shadow_size = 1024};
+        return {.shadows = false, .smooth_edges = false, .fog = true, .fine_edges = false, .shadow_size = 1024};
     }
 
     [[nodiscard]] bool operator==(const Effects&) const = default;

@@ -56,7 +56,8 @@ gl::mat4 Renderer::PlacedShape::from_model(const dvec3& eye) const {
 }
 
 Renderer::Parts::Parts()
-    : depth("depth", shaders::depth_vertex, shaders::depth_fragment),
+    : shape("shape", shaders::shape_vertex, with_light(shaders::shape_fragment)),
+      depth("depth", shaders::depth_vertex, shaders::depth_fragment),
       flat("flat", shaders::flat_vertex, shaders::flat_fragment),
       sky("sky", shaders::sky_vertex, shaders::sky_fragment),
       smooth("smooth", shaders::screen_vertex, shaders::smooth_fragment),
@@ -68,7 +69,6 @@ Renderer::Parts::Parts()
         for (const int edges : {0, 1})
             mesh[shadows][edges] = gl::Program("mesh", shaders::mesh_vertex, with_light(shaders::mesh_fragment),
                                                define + (edges != 0 ? "#define EDGES\n" : ""));
-        shape[shadows] = gl::Program("shape", shaders::shape_vertex, with_light(shaders::shape_fragment), define);
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());

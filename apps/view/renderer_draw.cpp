@@ -192,10 +192,9 @@ void Renderer::draw_shapes(bool solid) {
     std::stable_sort(order.begin(), order.end(), [&](const PlacedShape* a, const PlacedShape* b) {
         return glm::length(a->middle - view_.camera.eye) > glm::length(b->middle - view_.camera.eye);
     });
-    const gl::Program& program = p.shape[effects.shadows ? 1 : 0];
+    const gl::Program& program = p.shape;
     program.use();
     p.light.set(program);
-    program.set("moving_strength", 0.0F);  // a body of glass would only darken itself
     program.set("clip_from_eye", p.clip_from_eye);
     glEnable(GL_CULL_FACE);
     for (const PlacedShape* s : order) {

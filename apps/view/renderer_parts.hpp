@@ -56,7 +56,7 @@ struct Renderer::Parts {
     Parts();
 
     gl::Program mesh[2][2];  // [shadows][edges]
-    gl::Program shape[2];    // [shadows]
+    gl::Program shape;
     gl::Program depth;
     gl::Program flat;
     gl::Program sky;

@@ -66,22 +66,26 @@ inline constexpr std::string_view mesh_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 colour;
+#ifdef EDGES
 layout(location = 3) in uint info;
+out vec3 v_corner;
+flat out uint v_info;
+#endif
 uniform mat4 clip_from_eye;
 uniform mat4 eye_from_model;
 out vec3 v_place;
 out vec3 v_normal;
-out vec3 v_corner;
 flat out vec4 v_colour;
-flat out uint v_info;
 void main() {
     vec4 place = eye_from_model * vec4(position, 1.0);
     v_place = place.xyz;
     v_normal = mat3(eye_from_model) * normal;
+#ifdef EDGES
     int corner = gl_VertexID % 3;
     v_corner = vec3(corner == 0, corner == 1, corner == 2);
-    v_colour = colour;
     v_info = info;
+#endif
+    v_colour = colour;
     gl_Position = clip_from_eye * place;
 }
 )";
@@ -90,11 +94,11 @@ void main() {
 inline constexpr std::string_view mesh_fragment = R"(
 in vec3 v_place;
 in vec3 v_normal;
-in vec3 v_corner;
 flat in vec4 v_colour;
-flat in uint v_info;
 out vec4 result;
 #ifdef EDGES
+in vec3 v_corner;
+flat in uint v_info;
 uniform float edge_width;
 uniform vec4 edge_colours[4];
 
@@ -162,7 +166,10 @@ void main() {
     vec3 look = normalize(v_place);
     float facing = abs(dot(normal, look));
     if (dot(normal, look) > 0.0) normal = -normal;
-    vec3 lit_colour = shaded(colour.rgb * colour.rgb, v_place, normal);
+    // Light goes round a body of glass and through it, so there is no dark half.
+    float round = 0.5 + 0.5 * dot(normal, to_sun);
+    float height = 0.5 + 0.5 * dot(normal, up);
+    vec3 lit_colour = colour.rgb * colour.rgb * (mix(ground_colour, sky_colour, height) * 1.15 + sun_colour * round * 0.85);
     vec3 mirrored = reflect(look, normal);
     float gleam = max(dot(mirrored, to_sun), 0.0);
     gleam *= gleam; gleam *= gleam; gleam *= gleam; gleam *= gleam;
@@ -322,19 +329,22 @@ out vec4 result;
 float bright(vec3 c) { return dot(c, vec3(0.30, 0.59, 0.11)); }
 
 void main() {
-    vec2 at = gl_FragCoord.xy * texel;
-    vec3 middle = texture(picture, at).rgb;
+    // Whole texels first: where nothing jumps, and that is nearly everywhere, there is nothing to blend.
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(picture, 0) - 1;
+    vec3 middle = texelFetch(picture, here, 0).rgb;
     float m = bright(middle);
-    float sw = bright(texture(picture, at + texel * vec2(-0.5, -0.5)).rgb);
-    float se = bright(texture(picture, at + texel * vec2(0.5, -0.5)).rgb);
-    float nw = bright(texture(picture, at + texel * vec2(-0.5, 0.5)).rgb);
-    float ne = bright(texture(picture, at + texel * vec2(0.5, 0.5)).rgb);
+    float sw = bright(texelFetch(picture, max(here - 1, ivec2(0)), 0).rgb);
+    float se = bright(texelFetch(picture, clamp(here + ivec2(1, -1), ivec2(0), last), 0).rgb);
+    float nw = bright(texelFetch(picture, clamp(here + ivec2(-1, 1), ivec2(0), last), 0).rgb);
+    float ne = bright(texelFetch(picture, min(here + 1, last), 0).rgb);
     float low = min(m, min(min(sw, se), min(nw, ne)));
     float high = max(m, max(max(sw, se), max(nw, ne)));
     if (high - low < max(0.025, high * 0.06)) {
         result = vec4(middle, 1.0);
         return;
     }
+    vec2 at = gl_FragCoord.xy * texel;
     vec2 along = vec2(sw + se - nw - ne, nw + sw - ne - se);
     float least = min(abs(along.x), abs(along.y)) + 0.02 * (sw + se + nw + ne) + 0.004;
     along = clamp(along / least, -6.0, 6.0) * texel;

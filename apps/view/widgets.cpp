@@ -179,7 +179,8 @@ void key_colour(Colour colour, std::string_view text) {
 
 void at_right(std::string_view text) {
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - size.x);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size.x);  // of the window, whatever group this is in
     ImGui::TextDisabled("%.*s", static_cast<int>(text.size()), text.data());
 }
 

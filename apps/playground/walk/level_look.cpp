@@ -70,7 +70,7 @@ void LevelLook::make_model() {
 void LevelLook::draw(view::Renderer& renderer) {
     if (was_smooth_ != smooth || was_lit_ != lit_surface_) make_model();
     view::ModelLook look;
-    if (edges) look.edges.width = 1;
+    if (edges && renderer.effects.fine_edges) look.edges.width = 1;
     if (edge_kinds) {
         look.edges.width = 2;
         std::copy(kind_colours.begin(), kind_colours.end(), std::begin(look.edges.kinds));
