@@ -46,7 +46,9 @@ std::vector<vec3> corner_normals(std::span<const SourceTriangle> triangles, doub
     for (std::size_t first = 0; first < order.size();) {
         std::size_t end = first + 1;
         while (end < order.size() && place(order[end]) == place(order[first])) ++end;
-        for (std::size_t i = first; i < end; ++i) {
+        // A fan of thousands around one corner stays flat rather than taking the square of its size.
+        constexpr std::size_t largest_fan = 512;
+        for (std::size_t i = first; i < end && end - first <= largest_fan; ++i) {
             vec3 sum(0);
             for (std::size_t k = first; k < end; ++k) {
                 const std::uint32_t corner = order[k];
