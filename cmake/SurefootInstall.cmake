@@ -43,6 +43,10 @@ if(TARGET surefoot_program)
   set_target_properties(surefoot_program PROPERTIES INSTALL_RPATH "$ORIGIN/${SUREFOOT_BIN_TO_LIB}")
   install(TARGETS surefoot_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+if(TARGET surefoot_playground)
+  set_target_properties(surefoot_playground PROPERTIES INSTALL_RPATH "$ORIGIN/${SUREFOOT_BIN_TO_LIB}")
+  install(TARGETS surefoot_playground RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/surefoot-config.cmake.in"
   "${PROJECT_BINARY_DIR}/surefoot-config.cmake" INSTALL_DESTINATION ${package_dir})

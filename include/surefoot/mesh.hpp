@@ -39,6 +39,13 @@ struct MeshMemory {
     [[nodiscard]] std::size_t total() const noexcept { return nodes + leaves + places + surfaces; }
 };
 
+/// One box of a mesh's tree, for those who want to look at it.
+struct TreeBox {
+    Bounds bounds;                ///< around everything below it
+    std::uint32_t depth = 0;      ///< 0 for the children of the root
+    std::uint32_t triangles = 0;  ///< how many are in it, if it is a leaf; 0 if there are boxes below
+};
+
 /// Immutable triangles and a tree. Cheap to copy: copies share the same data.
 ///
 /// Threads: every const call may run on any number of threads at once, and so may making and destroying copies. Memory:
@@ -129,6 +136,10 @@ public:
     /// may be more than found room; then the ones found are any of them, still in order.
     std::size_t gather(const Bounds& near, std::span<SourceTriangle> found,
                        const QueryOptions& options = {}) const noexcept;
+
+    /// The boxes of the tree, parents before what is below them, in the same order every time. Fills `found` from the
+    /// front and returns how many there are, which may be more than found room. For debuggers: it walks the whole tree.
+    std::size_t tree_boxes(std::span<TreeBox> found) const noexcept;
 
     [[nodiscard]] std::size_t triangle_count() const noexcept;
     [[nodiscard]] std::size_t vertex_count() const noexcept;

@@ -5,6 +5,7 @@
 #include <surefoot/bounds.hpp>
 #include <surefoot/capture.hpp>
 #include <surefoot/cook.hpp>
+#include <surefoot/debug_draw.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>
 #include <surefoot/height_field.hpp>

@@ -1,0 +1,271 @@
+#include "playground/app.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "playground/start_screen.hpp"
+#include "view/gl.hpp"
+#include "view/text.hpp"
+#include "view/theme.hpp"
+#include "view/widgets.hpp"
+
+namespace surefoot::playground {
+namespace {
+
+volatile std::sig_atomic_t asked_to_end = 0;
+
+constexpr double tick = 1.0 / 60;
+constexpr int most_ticks = 4;  // a frame; a slow machine goes slower rather than ever farther behind
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+constexpr view::KeyHelp house_keys[] = {{"F1", "shows this"},
+                                        {"F11", "full screen and back"},
+                                        {"Escape", "closes what is open, then goes back to the start"},
+                                        {"Drop a file", "opens it as a level"}};
+
+}  // namespace
+
+Expected<std::unique_ptr<App>> App::open(const Options& options) {
+    std::unique_ptr<App> app(new App);
+    app->options_ = options;
+    app->settings_path_ = !options.settings.empty() ? options.settings
+                          : options.headless        ? std::string()
+                                                    : view::settings_path();
+    const auto settings = view::read_settings(app->settings_path_);
+    if (settings) {
+        app->settings_ = *settings;
+    } else {
+        app->toasts_.warn(settings.error().text);
+    }
+    view::DisplayOptions wanted;
+    wanted.title = "Surefoot playground";
+    wanted.size = options.size.value_or(options.headless ? view::ivec2(1280, 720)
+                                                         : view::ivec2(app->settings_.width, app->settings_.height));
+    wanted.headless = options.headless;
+    wanted.scale = options.scale;
+    wanted.api = options.gl == "es" ? view::GlApi::es : options.gl == "core" ? view::GlApi::core : view::GlApi::any;
+    auto display = view::Display::open(wanted);
+    if (!display) return tl::unexpected(display.error());
+    app->display_ = std::move(*display);
+    app->renderer_ = std::make_unique<view::Renderer>();
+    app->imgui_ = std::make_unique<view::ImGuiAdapter>(*app->display_);
+    app->levels_ = std::make_unique<LevelLoader>(options.headless);
+    const std::string preset = !options.preset.empty()                       ? options.preset
+                               : !app->settings_.preset.empty()              ? app->settings_.preset
+                               : view::gl_is_software() && !options.headless ? "software"
+                                                                             : "full";
+    app->renderer_->effects = preset == "software" ? view::Effects::software() : view::Effects::full();
+    if (preset == "software" && !options.headless)
+        app->toasts_.say(
+            "No graphics card was found, so shadows, smoothing and thin edges are off: --preset full turns them on.");
+    app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
+                              *app->levels_, options.headless, options.level});
+    if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
+    app->go_to(options.room);
+    return app;
+}
+
+App::~App() {
+    if (room_) room_->leave();
+}
+
+void App::go_to(std::string_view room) {
+    wanted_room_ = room;
+    change_room_ = true;
+}
+
+void App::play(view::Script script) {
+    quit_ = false;
+    player_.emplace(std::move(script), [](std::string_view label) { return view::ui::find_item(label); });
+}
+
+void App::fail(ExitCode code, const std::string& text) {
+    if (!failure_.empty()) return;
+    failure_ = text;
+    code_ = code;
+    quit_ = true;
+}
+
+ExitCode App::run() {
+    if (!options_.script.empty()) {
+        auto script = view::read_script(options_.script);
+        if (!script) {
+            fail(script.error().code == ErrorCode::not_found ? ExitCode::file : ExitCode::usage, script.error().text);
+            return code_;
+        }
+        play(std::move(*script));
+    }
+    // Who ends a session ends it well: settings are kept.
+    std::signal(SIGTERM, [](int) { asked_to_end = 1; });
+    std::signal(SIGINT, [](int) { asked_to_end = 1; });
+    while (frame() && asked_to_end == 0) {
+    }
+    if (!options_.screenshot.empty() && failure_.empty()) keep_picture(options_.screenshot);
+    keep_settings();
+    if (options_.timing && !frame_times_.empty()) {
+        std::sort(frame_times_.begin(), frame_times_.end());
+        const double median = frame_times_[frame_times_.size() / 2];
+        fmt::print("{} frames, median {:.1f} ms ({:.0f} a second), {} triangles, {} lines; {}\n", frame_times_.size(),
+                   median * 1e3, 1 / median, renderer_->counts().triangles, renderer_->counts().lines,
+                   view::gl_description());
+    }
+    return code_;
+}
+
+double App::wait_time() const {
+    if (options_.headless || restless_ > 0 || player_ || options_.frames) return 0;
+    return 0.25;
+}
+
+bool App::frame() {
+    if (change_room_) {
+        change_room_ = false;
+        if (room_) room_->leave();
+        const RoomCard* const card = find_room(wanted_room_);
+        room_id_ = card != nullptr ? std::string(card->id) : std::string();
+        room_ = card != nullptr ? card->make() : make_start_screen([this](std::string_view id) { go_to(id); });
+        room_->enter(*stage_);
+        restless_ = 3;
+    }
+    const double start = now();
+    take_events();
+    double dt = tick;
+    if (!options_.headless) {
+        const double time = now();
+        dt = last_time_ > 0 ? std::min(time - last_time_, 0.25) : tick;
+        last_time_ = time;
+    }
+    update(dt);
+    draw();
+    if (options_.timing) {
+        glFinish();
+        frame_times_.push_back(now() - start);
+    }
+    for (const std::string& path : screenshots_) keep_picture(path);
+    screenshots_.clear();
+    display_->present();
+    ++frame_;
+    if (options_.frames && frame_ >= *options_.frames) quit_ = true;
+    if (player_ && player_->done() && options_.headless && !options_.frames) quit_ = true;
+    return !quit_;
+}
+
+void App::take_events() {
+    if (player_) {
+        auto played = player_->next();
+        if (!played) {
+            fail(ExitCode::failed, played.error().text + "; there are " + view::ui::known_items());
+            return;
+        }
+        events_.insert(events_.end(), played->events.begin(), played->events.end());
+        screenshots_ = std::move(played->screenshots);
+        if (played->resize) display_->resize(*played->resize);
+        if (played->quit) quit_ = true;
+    }
+    display_->poll(events_, wait_time());
+    if (!events_.empty()) restless_ = 3;  // widgets need a frame to see, and one to show, what happened
+    const std::vector<view::InputEvent> events = std::move(events_);
+    events_.clear();
+    for (const view::InputEvent& event : events) house_event(event);
+}
+
+void App::house_event(const view::InputEvent& event) {
+    if (std::holds_alternative<view::CloseRequest>(event)) {
+        quit_ = true;
+        return;
+    }
+    if (view::is_press(event, view::Key::f11)) {
+        display_->set_full_screen(!display_->is_full_screen());
+        settings_.full_screen = display_->is_full_screen();
+        return;
+    }
+    if (view::is_press(event, view::Key::f1)) {
+        help_ = !help_;
+        return;
+    }
+    if (view::is_press(event, view::Key::escape) && (help_ || browser_.is_open())) {
+        if (help_) {
+            help_ = false;
+        } else {
+            browser_.close();
+        }
+        return;
+    }
+    if (imgui_->event(event)) return;
+    if (help_ || browser_.is_open()) return;
+    if (room_->event(event)) return;
+    if (view::is_press(event, view::Key::escape) && !room_id_.empty()) go_to({});
+}
+
+void App::update(double dt) {
+    behind_ = std::min(behind_ + dt, most_ticks * tick);
+    bool moves = levels_->update();
+    // A hair less than a tick: a display of 60 Hz must not fall back to every other frame by rounding.
+    while (behind_ >= tick * 0.98) {
+        moves = room_->update(tick) || moves;
+        moves = toasts_.update(tick) || moves;
+        behind_ = std::max(behind_ - tick, 0.0);
+    }
+    if (moves) restless_ = 3;
+    if (restless_ > 0) --restless_;
+}
+
+void App::draw() {
+    imgui_->begin_frame(tick);
+    renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size()});
+    room_->draw(*renderer_);
+    renderer_->end(display_->framebuffer());
+    view::draw_labels(renderer_->view(), renderer_->labels(),
+                      [this](const dvec3& place) { return room_->hides(place); });
+    room_->ui();
+    draw_house_ui();
+    glBindFramebuffer(GL_FRAMEBUFFER, display_->framebuffer());
+    glViewport(0, 0, display_->framebuffer_size().x, display_->framebuffer_size().y);
+    imgui_->end_frame();
+}
+
+void App::draw_house_ui() {
+    browser_.draw();
+    if (!levels_->loading().empty()) {
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+        ImGui::Begin("loading", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
+        ImGui::TextUnformatted(("Reading " + levels_->loading() + " ...").c_str());
+        ImGui::End();
+    }
+    toasts_.draw();
+    if (!help_) return;
+    std::vector<view::HelpPage> pages;
+    if (!room_->help().empty()) pages.push_back({"In this room", room_->help()});
+    pages.push_back({"Everywhere", house_keys});
+    help_ = view::draw_help(pages, view::gl_description());
+}
+
+view::Picture App::picture() {
+    return view::read_picture(display_->framebuffer(), display_->framebuffer_size());
+}
+
+void App::keep_picture(const std::string& path) {
+    const auto written = view::write_png(picture(), path);
+    if (!written) fail(ExitCode::failed, written.error().text);
+}
+
+void App::keep_settings() {
+    if (settings_path_.empty()) return;
+    if (!display_->is_full_screen() && !options_.headless && !options_.size) {
+        settings_.width = display_->size().x;
+        settings_.height = display_->size().y;
+    }
+    const auto kept = view::write_settings(settings_, settings_path_);
+    if (!kept) fmt::print(stderr, "surefoot-playground: {}\n", kept.error().text);
+}
+
+}  // namespace surefoot::playground

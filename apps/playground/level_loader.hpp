@@ -1,0 +1,53 @@
+/// Reads levels beside the drawing, so that the window stays alive.
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <surefoot/cook.hpp>
+#include <surefoot/error.hpp>
+
+#include "level.hpp"
+
+namespace surefoot::playground {
+
+/// A level with everything that was found out about it.
+struct LoadedLevel {
+    tools::Level level;
+    CookReport report;
+};
+
+class LevelLoader {
+public:
+    using Loaded = std::shared_ptr<const LoadedLevel>;
+    using Done = std::function<void(const Loaded& level)>;
+    using Failed = std::function<void(const std::string& why)>;
+
+    /// At once and not beside: for runs that have to go the same way every time.
+    explicit LevelLoader(bool at_once) : at_once_(at_once) {}
+
+    /// Begins to load; what is loading already is forgotten. One of the two is called by `update`.
+    void load(const std::string& path, Done done, Failed failed);
+
+    /// Calls back when the level is there; true while one is loading.
+    bool update();
+
+    /// What is loading, or empty.
+    [[nodiscard]] const std::string& loading() const { return path_; }
+
+private:
+    using Result = Expected<Loaded>;
+    static Result read(const std::string& path);
+
+    bool at_once_;
+    std::string path_;
+    std::future<Result> result_;
+    std::vector<std::future<Result>> forgotten_;  // a future waits for its thread when it goes
+    Done done_;
+    Failed failed_;
+};
+
+}  // namespace surefoot::playground

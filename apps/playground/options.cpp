@@ -1,0 +1,78 @@
+#include "playground/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <surefoot/version.hpp>
+
+#include "playground/room.hpp"
+
+namespace surefoot::playground {
+namespace {
+
+constexpr const char* footer = R"(
+Examples:
+  surefoot-playground
+  surefoot-playground --room walk --level castle.obj
+  surefoot-playground --room walk --level levels/training-ground.glb --headless --frames 30 --screenshot out.png
+  surefoot-playground --headless --script tour.txt --size 1280x720 --preset software
+
+Without --room it begins on the start screen. F1 shows the keys. docs/playground.md tells how scripts are written.
+Exit codes: 0 well, 1 a script went wrong or a picture could not be written, 2 wrong usage, 3 a file cannot be read,
+            4 no display or no OpenGL that is new enough.)";
+
+std::optional<view::ivec2> parse_size(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    char end = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end) != 2) return std::nullopt;
+    if (width < 64 || height < 64 || width > 16384 || height > 16384) return std::nullopt;
+    return view::ivec2(width, height);
+}
+
+}  // namespace
+
+std::optional<ExitCode> read_options(int argc, const char* const* argv, Options& options) {
+    CLI::App program{"Sweeps to look at and to play with: a window with rooms.", "surefoot-playground"};
+    const Version v = library_version();
+    program.set_version_flag("--version", fmt::format("surefoot-playground {}.{}.{}", v.major, v.minor, v.patch));
+    program.get_formatter()->column_width(28);
+    program.footer(footer);
+    std::vector<std::string> ids;
+    for (const RoomCard& card : rooms()) ids.emplace_back(card.id);
+    std::string size;
+    program.add_option("--room", options.room, "Enter this room at once")->check(CLI::IsMember(ids));
+    program.add_option("--level", options.level, "The level: .surefoot, or any file that `surefoot cook` reads");
+    program.add_flag("--headless", options.headless,
+                     "Draw without a display; time goes by frames, so every run is alike");
+    program.add_option("--script", options.script, "Input from this file instead of a hand");
+    program.add_option("--frames", options.frames, "End after so many frames")->check(CLI::Range(1, 1000000));
+    program.add_option("--screenshot", options.screenshot, "Keep the last frame as a PNG");
+    program.add_option("--size", size, "Of the window, as 1280x720")->type_name("WxH");
+    program
+        .add_option("--preset", options.preset, "What is drawn: full, or software for machines without a graphics card")
+        ->check(CLI::IsMember({"software", "full"}));
+    program.add_option("--scale", options.scale, "How large letters are, headless (a window asks the system)")
+        ->check(CLI::Range(0.5, 4.0));
+    program.add_option("--settings", options.settings,
+                       "Keep settings in this file (headless runs keep none otherwise)");
+    program.add_option("--gl", options.gl, "Take this OpenGL: core (3.3) or es (ES 3.0)")
+        ->check(CLI::IsMember({"core", "es"}));
+    program.add_flag("--timing", options.timing, "Print how long frames took");
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage;
+    }
+    if (!size.empty()) {
+        options.size = parse_size(size);
+        if (!options.size) {
+            fmt::print(stderr, "surefoot-playground: --size {}: write it as 1280x720, 64 to 16384 each\n", size);
+            return ExitCode::usage;
+        }
+    }
+    if (options.headless && !options.frames && options.script.empty()) options.frames = 60;
+    return std::nullopt;
+}
+
+}  // namespace surefoot::playground

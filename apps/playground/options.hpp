@@ -1,0 +1,39 @@
+/// The command line of the playground.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "view/input.hpp"
+
+namespace surefoot::playground {
+
+/// What the program says to a script when it ends.
+enum class ExitCode : int {
+    ok = 0,
+    failed = 1,   ///< the script went wrong, or a picture could not be written
+    usage = 2,    ///< the command line makes no sense
+    file = 3,     ///< a file cannot be read
+    display = 4,  ///< no display, or no OpenGL that is new enough
+};
+
+struct Options {
+    std::string room;
+    std::string level;
+    bool headless = false;
+    std::string script;
+    std::optional<int> frames;
+    std::string screenshot;
+    std::optional<view::ivec2> size;
+    std::string preset;
+    double scale = 1;
+    std::string settings;
+    std::string gl;
+    bool timing = false;
+};
+
+/// Reads the command line. Where there is nothing more to do (help, a mistake), it has said so and the code is what to
+/// end with.
+[[nodiscard]] std::optional<ExitCode> read_options(int argc, const char* const* argv, Options& options);
+
+}  // namespace surefoot::playground

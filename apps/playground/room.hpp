@@ -1,0 +1,87 @@
+/// A room of the playground: something to look at and to play with. docs/playground.md tells how to write one.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "playground/level_loader.hpp"
+#include "view/camera.hpp"
+#include "view/display.hpp"
+#include "view/file_browser.hpp"
+#include "view/help.hpp"
+#include "view/input.hpp"
+#include "view/renderer.hpp"
+#include "view/settings.hpp"
+#include "view/toasts.hpp"
+
+namespace surefoot::playground {
+
+/// What the house lends to the room that is open. It outlives every room.
+struct Stage {
+    view::Display& display;
+    view::Renderer& renderer;
+    view::Settings& settings;
+    view::Toasts& toasts;
+    view::FileBrowser& browser;
+    LevelLoader& levels;
+    bool headless = false;  ///< no user is there: nothing of the machine's but what was asked for
+    std::string level{};    ///< from the command line; empty if none was named
+
+    /// Shows the dialog and loads what the user chooses; `done` is called when it is there.
+    void browse_for_level(const LevelLoader::Done& done);
+
+    /// Loads a level; one that fails is told to the user and `done` is not called.
+    void open_level(const std::string& path, const LevelLoader::Done& done);
+};
+
+class Room {
+public:
+    Room() = default;
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+    virtual ~Room() = default;
+
+    /// The room is shown from now on; `stage` stays good.
+    virtual void enter(Stage& stage) = 0;
+    virtual void leave() {}
+
+    /// What the widgets did not take. True if it was of use, so that nobody else takes it.
+    virtual bool event(const view::InputEvent& event) = 0;
+
+    /// A tick of 1/60 s; true while something moves, and so has to be drawn again.
+    virtual bool update(double dt) = 0;
+
+    /// From where the room is seen.
+    [[nodiscard]] virtual view::Camera camera() const = 0;
+
+    /// Everything in the world. `renderer.view()` says from where and how large.
+    virtual void draw(view::Renderer& renderer) = 0;
+
+    /// Panels, with the widgets of view/widgets.hpp or Dear ImGui's.
+    virtual void ui() = 0;
+
+    /// Is there something between the eye and this place? Labels there are drawn faintly.
+    [[nodiscard]] virtual bool hides(const dvec3& /*place*/) const { return false; }
+
+    /// The keys that are the room's own.
+    [[nodiscard]] virtual std::span<const view::KeyHelp> help() const { return {}; }
+};
+
+/// How a room stands on the start screen.
+struct RoomCard {
+    std::string_view id;  ///< for --room
+    std::string_view name;
+    std::string_view blurb;  ///< one sentence
+    std::function<std::unique_ptr<Room>()> make;
+};
+
+/// All rooms, in the order of the start screen.
+[[nodiscard]] std::span<const RoomCard> rooms();
+
+/// The room with this id, or null.
+[[nodiscard]] const RoomCard* find_room(std::string_view id);
+
+}  // namespace surefoot::playground

@@ -1,0 +1,35 @@
+/// Offers levels that nobody here made: runs `levels/fetch`, which gets them from Debian's packages.
+#pragma once
+
+#include <future>
+#include <optional>
+#include <string>
+
+namespace surefoot::playground {
+
+class Fetcher {
+public:
+    Fetcher();
+
+    /// Is there the script, and are OpenArena's maps not there yet?
+    [[nodiscard]] bool offers() const;
+
+    /// Are they there? The folder of the packages that were fetched.
+    [[nodiscard]] std::optional<std::string> folder() const;
+
+    void begin();
+    [[nodiscard]] bool running() const { return result_.valid(); }
+
+    /// What to tell the user once it is done.
+    [[nodiscard]] std::optional<std::string> update();
+
+private:
+    std::string script_;
+    std::string cache_;
+    std::future<std::string> result_;
+};
+
+/// A file of the project's own, looked for in the working folder and those above it; empty if there is none.
+[[nodiscard]] std::string find_in_project(const std::string& path);
+
+}  // namespace surefoot::playground

@@ -1,0 +1,129 @@
+// Every screen, by the program itself, without a display.
+#include <filesystem>
+#include <gtest/gtest.h>
+
+#include "playground/app.hpp"
+#include "view/gl.hpp"
+
+namespace surefoot::playground {
+namespace {
+
+const std::string ground = SUREFOOT_LEVELS_DIR "/training-ground.glb";
+
+std::unique_ptr<App> open(const std::string& room, const std::string& level = {}) {
+    Options options;
+    options.headless = true;
+    options.room = room;
+    options.level = level;
+    options.size = view::ivec2(640, 400);
+    options.frames = 100000;
+    auto app = App::open(options);
+    EXPECT_TRUE(app) << app.error().text;
+    return app ? std::move(*app) : nullptr;
+}
+
+void play(App& app, const std::string& script) {
+    app.play(*view::parse_script(script, "test"));
+    for (int i = 0; i < 400 && app.frame(); ++i) {
+    }
+    EXPECT_EQ(app.failure(), "");
+}
+
+void expect_a_picture(App& app) {
+    EXPECT_EQ(view::gl::take_error(), "");
+    EXPECT_GT(app.picture().colours(), 500U);
+}
+
+bool same(const view::Picture& a, const view::Picture& b) {
+    return a.size == b.size && std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(),
+                                          [](auto x, auto y) { return x.r == y.r && x.g == y.g && x.b == y.b; });
+}
+
+TEST(Playground, the_start_screen_is_a_picture_and_its_card_opens_the_room) {
+    const auto app = open("");
+    play(*app, "wait 3\nclick \"Walk\"\nwait 3\nquit");
+    EXPECT_EQ(app->room(), "walk");
+    expect_a_picture(*app);
+}
+
+TEST(Playground, every_room_is_entered_and_left_by_escape) {
+    for (const RoomCard& card : rooms()) {
+        const auto app = open(std::string(card.id), ground);
+        play(*app, "wait 4\nquit");
+        EXPECT_EQ(app->room(), card.id);
+        expect_a_picture(*app);
+        app->go_to("");
+        app->frame();
+        EXPECT_EQ(app->room(), "");
+    }
+}
+
+TEST(Playground, every_overlay_and_tool_of_walk_is_a_picture) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 3\nclick \"Edges by kind\"\nclick \"Tree\"\nkey I\nkey N\nwait 20\nquit");
+    expect_a_picture(*app);
+    play(*app, "key 2\nclick 320 250\nclick 400 270\nwait 2\nquit");
+    expect_a_picture(*app);
+    play(*app, "key F\nkey 3\nclick 320 240\nwait 80\nquit");
+    expect_a_picture(*app);
+    play(*app, "key C\nhold W\nwait 20\nunhold W\ndrag 300 200 400 220 4\nquit");
+    expect_a_picture(*app);
+}
+
+TEST(Playground, help_opens_with_f1_and_closes_with_escape) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 5\nquit");
+    const view::Picture before = app->picture();
+    play(*app, "key F1\nwait 3\nquit");
+    EXPECT_FALSE(same(before, app->picture()));
+    play(*app, "key Escape\nwait 3\nquit");
+    EXPECT_TRUE(same(before, app->picture()));
+    EXPECT_EQ(app->room(), "walk");
+}
+
+TEST(Playground, the_same_script_gives_the_same_picture) {
+    view::Picture pictures[2];
+    for (view::Picture& picture : pictures) {
+        const auto app = open("walk", ground);
+        play(*app, "wait 2\nkey 3\nclick 320 240\ndrag 300 200 380 230 6\nwait 12\nquit");
+        picture = app->picture();
+    }
+    EXPECT_TRUE(same(pictures[0], pictures[1]));
+}
+
+TEST(Playground, a_level_that_is_dropped_is_opened_and_remembered) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 2\nquit");
+    app->push(view::FileDrop{{SUREFOOT_LEVELS_DIR "/../examples/yard.obj"}});
+    app->frame();
+    app->frame();
+    ASSERT_FALSE(app->stage().settings.recent.empty());
+    EXPECT_TRUE(app->stage().settings.recent.front().ends_with("examples/yard.obj"));
+}
+
+TEST(Playground, a_file_that_is_no_level_is_told_and_the_old_level_stays) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 2\ndrop " SUREFOOT_LEVELS_DIR "/README.md\nwait 3\nquit");
+    ASSERT_FALSE(app->stage().toasts.texts().empty());
+    EXPECT_NE(app->stage().toasts.texts().back().find("README.md"), std::string::npos);
+    expect_a_picture(*app);
+}
+
+TEST(Playground, a_label_that_is_not_there_fails_the_run) {
+    const auto app = open("");
+    app->play(*view::parse_script("click \"Nothing of the kind\"", "test"));
+    for (int i = 0; i < 200 && app->frame(); ++i) {
+    }
+    EXPECT_NE(app->failure().find("test:1"), std::string::npos);
+    EXPECT_NE(app->failure().find("\"Walk\""), std::string::npos);
+}
+
+TEST(Playground, another_size_is_drawn_at_that_size) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 2\nresize 800 300\nwait 4\nquit");
+    EXPECT_EQ(app->picture().size, view::ivec2(800, 300));
+    expect_a_picture(*app);
+}
+
+}  // namespace
+}  // namespace surefoot::playground

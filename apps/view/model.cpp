@@ -1,0 +1,158 @@
+#include "view/model.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+
+#include "view/normals.hpp"
+
+namespace surefoot::view {
+namespace {
+
+struct Vertex {
+    gl::vec3 position;
+    std::int8_t normal[4];
+    std::uint32_t info;
+};
+static_assert(sizeof(Vertex) == 20);
+
+constexpr std::size_t chunk_size = 2048;
+
+dvec3 middle(const Triangle& t) {
+    return (t.a + t.b + t.c) / 3.0;
+}
+
+/// Every third bit of 30: one axis of a curve that fills space.
+std::uint32_t spread(double share) {
+    auto x = static_cast<std::uint32_t>(std::clamp(share, 0.0, 1.0) * 1023);
+    x = (x | x << 16) & 0x030000FF;
+    x = (x | x << 8) & 0x0300F00F;
+    x = (x | x << 4) & 0x030C30C3;
+    return (x | x << 2) & 0x09249249;
+}
+
+std::uint32_t edges_of(const SourceTriangle& t) {
+    return static_cast<std::uint32_t>(t.edges[0]) | static_cast<std::uint32_t>(t.edges[1]) << 2U |
+           static_cast<std::uint32_t>(t.edges[2]) << 4U;
+}
+
+std::int8_t small(float x) {
+    return static_cast<std::int8_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 127));
+}
+
+const void* offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
+}  // namespace
+
+Frustum::Frustum(const gl::mat4& m) {
+    const auto row = [&](int i) { return gl::vec4(m[0][i], m[1][i], m[2][i], m[3][i]); };
+    for (int axis = 0; axis < 3; ++axis) {
+        planes_[static_cast<std::size_t>(2 * axis)] = row(3) + row(axis);
+        planes_[static_cast<std::size_t>(2 * axis + 1)] = row(3) - row(axis);
+    }
+}
+
+bool Frustum::may_see(const gl::vec3& low, const gl::vec3& high) const {
+    return std::all_of(planes_.begin(), planes_.end(), [&](const gl::vec4& p) {
+        const gl::vec3 best(p.x > 0 ? high.x : low.x, p.y > 0 ? high.y : low.y, p.z > 0 ? high.z : low.z);
+        return p.x * best.x + p.y * best.y + p.z * best.z + p.w >= 0;
+    });
+}
+
+std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleColour& colour, Shading shading) {
+    static std::atomic<std::uint64_t> made{0};
+    std::shared_ptr<Model> model(new Model);
+    model->serial_ = ++made;
+    model->bounds_ = mesh.bounds();
+    model->origin_ = (model->bounds_.min + model->bounds_.max) * 0.5;
+    std::vector<SourceTriangle>& all = model->triangles_;
+    all.resize(mesh.triangle_count());
+    all.resize(mesh.gather(model->bounds_, all));
+    const dvec3 extent = glm::max(model->bounds_.max - model->bounds_.min, dvec3(1e-9));
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(all.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        const dvec3 share = (middle(all[i].triangle) - model->bounds_.min) / extent;
+        order[i] = {spread(share.x) | spread(share.y) << 1U | spread(share.z) << 2U, i};
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<SourceTriangle> sorted(all.size());
+    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = all[order[i].second];
+    all = std::move(sorted);
+    model->cut_into_chunks();
+    model->upload(corner_normals(all, shading == Shading::smooth ? 35.0 : 0.0));
+    model->recolour(colour);
+    return model;
+}
+
+void Model::cut_into_chunks() {
+    for (std::size_t first = 0; first < triangles_.size(); first += chunk_size) {
+        const std::size_t end = std::min(first + chunk_size, triangles_.size());
+        Chunk chunk{static_cast<int>(first), static_cast<int>(end - first), gl::vec3(3e38F), gl::vec3(-3e38F)};
+        for (std::size_t i = first; i < end; ++i) {
+            for (const dvec3& corner : {triangles_[i].triangle.a, triangles_[i].triangle.b, triangles_[i].triangle.c}) {
+                chunk.low = glm::min(chunk.low, gl::vec3(corner - origin_));
+                chunk.high = glm::max(chunk.high, gl::vec3(corner - origin_));
+            }
+        }
+        chunks_.push_back(chunk);
+    }
+}
+
+void Model::upload(const std::vector<gl::vec3>& normals) {
+    std::vector<Vertex> vertices;
+    vertices.reserve(3 * triangles_.size());
+    for (const SourceTriangle& t : triangles_) {
+        for (const dvec3& corner : {t.triangle.a, t.triangle.b, t.triangle.c}) {
+            const gl::vec3& n = normals[vertices.size()];
+            vertices.push_back({gl::vec3(corner - origin_), {small(n.x), small(n.y), small(n.z), 0}, edges_of(t)});
+        }
+    }
+    array_ = gl::VertexArray::make();
+    vertices_ = gl::Buffer::make();
+    colours_ = gl::Buffer::make();
+    glBindVertexArray(array_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+                 GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
+    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
+    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, sizeof(Vertex), offset(offsetof(Vertex, info)));
+    glBindBuffer(GL_ARRAY_BUFFER, colours_.id());
+    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+    for (const GLuint attribute : {0U, 1U, 2U, 3U}) glEnableVertexAttribArray(attribute);
+    glBindVertexArray(0);
+}
+
+void Model::recolour(const TriangleColour& colour) {
+    std::vector<Colour> colours;
+    colours.reserve(3 * triangles_.size());
+    for (const SourceTriangle& t : triangles_)
+        colours.insert(colours.end(), 3, colour ? colour(t) : colour_of_surface(t.surface, {}));
+    glBindBuffer(GL_ARRAY_BUFFER, colours_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof(Colour)), colours.data(),
+                 GL_STATIC_DRAW);
+}
+
+std::size_t Model::draw(const Frustum& seen) const {
+    std::size_t drawn = 0;
+    glBindVertexArray(array_.id());
+    for (std::size_t i = 0; i < chunks_.size();) {
+        if (!seen.may_see(chunks_[i].low, chunks_[i].high)) {
+            ++i;
+            continue;
+        }
+        const int first = chunks_[i].first;
+        int count = 0;  // of neighbours that are all seen, in one call
+        for (; i < chunks_.size() && seen.may_see(chunks_[i].low, chunks_[i].high); ++i) count += chunks_[i].count;
+        glDrawArrays(GL_TRIANGLES, 3 * first, 3 * count);
+        drawn += static_cast<std::size_t>(count);
+    }
+    glBindVertexArray(0);
+    return drawn;
+}
+
+}  // namespace surefoot::view

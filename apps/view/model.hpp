@@ -1,0 +1,79 @@
+/// A mesh on the graphics card, in chunks that are skipped when they are out of sight.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <surefoot/bounds.hpp>
+#include <surefoot/mesh.hpp>
+#include <surefoot/query.hpp>
+
+#include "view/colour.hpp"
+#include "view/gl.hpp"
+
+namespace surefoot::view {
+
+enum class Shading : std::uint8_t {
+    flat,    ///< every triangle as it is
+    smooth,  ///< rounded where triangles bend by less than 35 degrees
+};
+
+using TriangleColour = std::function<Colour(const SourceTriangle&)>;
+
+/// Which part of space is drawn: the planes of a projection.
+class Frustum {
+public:
+    explicit Frustum(const gl::mat4& clip_from_local);
+    [[nodiscard]] bool may_see(const gl::vec3& low, const gl::vec3& high) const;
+
+private:
+    std::array<gl::vec4, 6> planes_;
+};
+
+class Model {
+public:
+    /// Reads the mesh once; hidden triangles are left out. Where no colour is given, surfaces have theirs by number.
+    [[nodiscard]] static std::shared_ptr<Model> make(const Mesh& mesh, const TriangleColour& colour = {},
+                                                     Shading shading = Shading::flat);
+
+    /// Colours all triangles anew.
+    void recolour(const TriangleColour& colour);
+
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
+    /// What vertices are relative to, in the mesh's own frame.
+    [[nodiscard]] const dvec3& origin() const { return origin_; }
+    [[nodiscard]] std::size_t triangle_count() const { return triangles_.size(); }
+
+    /// Another number for every model that was ever made.
+    [[nodiscard]] std::uint64_t serial() const { return serial_; }
+
+    /// Draws the chunks that `seen` may see with the program in use; returns how many triangles that were.
+    std::size_t draw(const Frustum& seen) const;
+
+private:
+    struct Chunk {
+        int first = 0;  // triangle
+        int count = 0;
+        gl::vec3 low{0, 0, 0};
+        gl::vec3 high{0, 0, 0};
+    };
+
+    Model() = default;
+    void cut_into_chunks();
+    void upload(const std::vector<gl::vec3>& normals);
+
+    std::vector<SourceTriangle> triangles_;  // in the order of drawing
+    std::vector<Chunk> chunks_;
+    Bounds bounds_;
+    dvec3 origin_{0, 0, 0};
+    std::uint64_t serial_ = 0;
+    gl::VertexArray array_;
+    gl::Buffer vertices_;
+    gl::Buffer colours_;
+};
+
+}  // namespace surefoot::view

@@ -1,0 +1,40 @@
+/// What GLFW's callbacks write: events in the order in which they came. Apart from the window, so that callbacks can be
+/// called by a test.
+#pragma once
+
+#include <vector>
+
+#include "view/input.hpp"
+
+struct GLFWwindow;
+
+namespace surefoot::view {
+
+struct WindowEvents {
+    std::vector<InputEvent> waiting;
+    dvec2 pointer{0, 0};
+    Modifiers held{};
+
+    void key(int key, int action, int mods);
+    void character(unsigned codepoint);
+    void button(int button, int action, int mods);
+    void move(double x, double y);
+    void wheel(double x, double y);
+    void drop(int count, const char* const* paths);
+    void resize(const ivec2& size, const ivec2& framebuffer);
+    void focus(bool focused);
+    void scale(double factor);
+    void close();
+
+private:
+    void keep(int mods);
+    bool moved_before_ = false;
+};
+
+/// Makes a window write into the WindowEvents that its user pointer points at.
+void set_callbacks(GLFWwindow* window);
+
+/// A code point as UTF-8; empty for what is none.
+[[nodiscard]] std::string utf8(unsigned codepoint);
+
+}  // namespace surefoot::view
