@@ -1,211 +1,16 @@
-// Which nodes of the binary tree become wide nodes is decided by dynamic programming over the surface area heuristic:
-// Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs" (2017), section 3.
 #include "tree/wide_tree.hpp"
 
 #include <algorithm>
-#include <hwy/cache_control.h>
-#include <limits>
 #include <memory>
 #include <utility>
 
 #include "parallel.hpp"
+#include "tree/leaf_writer.hpp"
+#include "tree/plan.hpp"
 
 namespace surefoot::internal {
 
 namespace {
-
-// What it costs to look into a node, into a leaf, and at one of its triangles.
-constexpr float node_cost = 1.0F;
-constexpr float leaf_cost = 1.0F;
-constexpr float triangle_cost = 0.03F;
-
-// The cheapest way to stand for a subtree with at most i roots, i = 1 ... most.
-struct Plan {
-    float cost[tree_width];
-    std::uint8_t left[tree_width];  ///< how many of them in the left half; 0: one root less is as good
-    std::uint8_t left_of_node;      ///< as a wide node of its own: how many of its eight; 0: better a leaf
-    std::uint8_t most;              ///< how many of its nodes can be roots at once [1, 8]
-};
-
-class Planner {
-public:
-    Planner(const BinaryTree& binary, const LeafInput& input)
-        : binary_(binary), input_(input), plans_(std::make_unique_for_overwrite<Plan[]>(binary.room())) {}
-
-    std::unique_ptr<Plan[]> run(int threads) {
-        in_parallel(binary_.parts.size(), threads, [&](std::size_t i) { plan<true>(binary_.parts[i]); });
-        plan<false>(0);
-        return std::move(plans_);
-    }
-
-private:
-    // Everything below a node, then the node: of a part, or of what is above the parts.
-    template <bool in_part>
-    void plan(std::uint32_t n) {
-        const BinaryNode& node = binary_.nodes[n];
-        if (!in_part && node.count <= binary_.part_size) return;
-        if (node.left != 0) {
-            plan<in_part>(node.left);
-            plan<in_part>(node.right());
-        }
-        plan_node(n);
-    }
-
-    void plan_node(std::uint32_t n) {
-        const BinaryNode& node = binary_.nodes[n];
-        Plan& plan = plans_[n];
-        const float area = node.box.area();
-        const float as_leaf = node.count <= tree_width && is_one_tile(node)
-                                  ? area * (leaf_cost + triangle_cost * static_cast<float>(node.count))
-                                  : std::numeric_limits<float>::infinity();
-        plan.left[0] = 0;
-        if (node.left == 0) {
-            plan.cost[0] = as_leaf;
-            plan.left_of_node = 0;
-            plan.most = 1;
-            return;
-        }
-        const Plan& left = plans_[node.left];
-        const Plan& right = plans_[node.right()];
-        plan.most = static_cast<std::uint8_t>(std::min<int>(left.most + right.most, tree_width));
-        for (unsigned roots = 2; roots <= plan.most; ++roots) {
-            float least = std::numeric_limits<float>::infinity();
-            unsigned most_left = 1;
-            const unsigned last = std::min<unsigned>(left.most, roots - 1);
-            for (unsigned k = roots > right.most ? roots - right.most : 1; k <= last; ++k) {
-                const float cost = left.cost[k - 1] + right.cost[roots - k - 1];
-                if (cost < least) {
-                    least = cost;
-                    most_left = k;
-                }
-            }
-            plan.cost[roots - 1] = least;
-            plan.left[roots - 1] = static_cast<std::uint8_t>(most_left);
-        }
-        plan.left_of_node = plan.left[plan.most - 1];
-        const float as_node = area * node_cost + plan.cost[plan.most - 1];
-        if (as_leaf <= as_node) plan.left_of_node = 0;
-        plan.cost[0] = std::min(as_leaf, as_node);
-        for (unsigned roots = 2; roots <= plan.most; ++roots) {
-            if (plan.cost[roots - 2] <= plan.cost[roots - 1]) {
-                plan.cost[roots - 1] = plan.cost[roots - 2];
-                plan.left[roots - 1] = 0;
-            }
-        }
-    }
-
-    [[nodiscard]] bool is_one_tile(const BinaryNode& node) const {
-        if (input_.tiles.empty()) return true;
-        for (std::uint32_t i = 1; i < node.count; ++i) {
-            if (input_.tiles[binary_.order[node.first + i]] != input_.tiles[binary_.order[node.first]]) return false;
-        }
-        return true;
-    }
-
-    const BinaryTree& binary_;
-    const LeafInput& input_;
-    std::unique_ptr<Plan[]> plans_;
-};
-
-// The vertices of a leaf, each once.
-class LeafVertices {
-public:
-    std::uint32_t add(const vec3& p) noexcept {
-        const std::uint32_t x = std::bit_cast<std::uint32_t>(p.x);
-        const std::uint32_t y = std::bit_cast<std::uint32_t>(p.y);
-        const std::uint32_t z = std::bit_cast<std::uint32_t>(p.z);
-        // Most vertices that are new are so at a glance: no other had their hash.
-        const std::uint64_t mark = std::uint64_t{1} << (((x ^ y * 0x85EBCA6BU ^ z * 0xC2B2AE35U) * 0x9E3779B9U) >> 26);
-        if ((marks_ & mark) != 0) {
-            for (std::uint32_t i = 0; i < count; ++i) {
-                if (axes[0][i] == x && axes[1][i] == y && axes[2][i] == z) return i;
-            }
-        }
-        marks_ |= mark;
-        axes[0][count] = x;
-        axes[1][count] = y;
-        axes[2][count] = z;
-        return count++;
-    }
-
-    std::uint32_t axes[3][3 * tree_width];
-    std::uint32_t count = 0;
-
-private:
-    std::uint64_t marks_ = 0;
-};
-
-// All that a leaf keeps of a triangle.
-struct LeafTriangle {
-    vec3 corners[3];
-    std::uint32_t id;
-    std::uint16_t tile;
-    std::uint8_t edges;
-};
-
-// Triangles lie anywhere in memory, so those that come next are fetched while others are copied.
-void gather(std::span<const std::uint32_t> ids, const LeafInput& input, LeafTriangle* to) {
-    constexpr std::size_t far = 24;
-    constexpr std::size_t near = 12;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (i + far < ids.size()) hwy::Prefetch(&input.indices[3 * std::size_t{ids[i + far]}]);
-        if (i + near < ids.size()) {
-            const std::uint32_t* const next = &input.indices[3 * std::size_t{ids[i + near]}];
-            for (int corner = 0; corner < 3; ++corner) hwy::Prefetch(&input.vertices[next[corner]]);
-        }
-        const std::uint32_t id = ids[i];
-        to[i] = {{input.corner(id, 0), input.corner(id, 1), input.corner(id, 2)},
-                 id,
-                 input.tiles.empty() ? std::uint16_t{0} : input.tiles[id],
-                 input.edges.empty() ? std::uint8_t{0} : input.edges[id]};
-    }
-}
-
-// Writes leaf blocks one behind the other.
-class LeafWriter {
-public:
-    LeafWriter(WideTree& tree, std::span<std::uint32_t> places) : tree_(tree), places_(places) {}
-
-    // Returns what a parent keeps: leaf_bit and the first word.
-    std::uint32_t add(std::span<const LeafTriangle> triangles) {
-        const LeafTriangle* by_id[tree_width];
-        std::uint32_t count = 0;
-        for (const LeafTriangle& triangle : triangles) {
-            std::uint32_t at = count++;
-            for (; at > 0 && by_id[at - 1]->id > triangle.id; --at) by_id[at] = by_id[at - 1];
-            by_id[at] = &triangle;
-        }
-        const auto word = static_cast<std::uint32_t>(tree_.leaves.size());
-        LeafVertices vertices;
-        std::uint8_t bytes[4 * tree_width];
-        for (std::uint32_t slot = 0; slot < count; ++slot) {
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                bytes[i * count + slot] = static_cast<std::uint8_t>(vertices.add(by_id[slot]->corners[i]));
-            }
-            bytes[3 * count + slot] = by_id[slot]->edges;
-        }
-        const std::uint32_t size = leaf_words(count, vertices.count);
-        if (word + std::size_t{size} > most_leaf_words) {
-            tree_.too_large = true;
-            return leaf_bit;
-        }
-        tree_.leaves.resize(word + std::size_t{size});
-        std::uint32_t* to = tree_.leaves.data() + word;
-        *to++ = count | vertices.count << 8 | std::uint32_t{by_id[0]->tile} << 16;
-        for (const auto& axis : vertices.axes) to = std::copy_n(axis, vertices.count, to);
-        std::memcpy(to, bytes, 4 * std::size_t{count});
-        to += count;
-        for (std::uint32_t slot = 0; slot < count; ++slot) {
-            *to++ = by_id[slot]->id;
-            places_[by_id[slot]->id] = word << 3 | slot;
-        }
-        return leaf_bit | word;
-    }
-
-private:
-    WideTree& tree_;
-    std::span<std::uint32_t> places_;
-};
 
 // Puts the children's boxes on the node's grid, outwards.
 void quantise(WideNode& node, std::span<const FloatBox> boxes) {
@@ -382,7 +187,7 @@ void join(WideTree& tree, std::vector<Branch>& branches, const BinaryTree& binar
 WideTree collapse(const BinaryTree& binary, const LeafInput& input, int threads) {
     WideTree tree;
     tree.places.resize(binary.order.size());
-    const std::unique_ptr<Plan[]> plans = Planner(binary, input).run(threads);
+    const std::unique_ptr<Plan[]> plans = make_plans(binary, input, threads);
     const bool shared = binary.order.size() > binary.part_size;
     std::vector<Branch> branches;
     Collapser(binary, plans.get(), input, tree, tree.places, shared ? binary.part_size : 0, &branches).run(0);
