@@ -15,7 +15,7 @@ namespace {
 // What it costs to look into a node, into a leaf, and at one of its triangles.
 constexpr float node_cost = 1.0F;
 constexpr float leaf_cost = 1.0F;
-constexpr float triangle_cost = 0.03F;
+constexpr float triangle_cost = 0.01F;
 
 class Planner {
 public:
