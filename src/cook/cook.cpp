@@ -2,6 +2,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <surefoot/cook.hpp>
@@ -139,18 +140,29 @@ Expected<Cooked> cook(const CookInput& input, const CookOptions& options) {
     const EdgeMatches matches = match_edges(soup.indices, soup.vertices.size());
     find_faults(soup, matches, options.most_places, report);
     options.progress(0.25);
-    find_t_junctions(soup, matches, options, report);
-    options.progress(0.4);
-    const std::vector<std::uint8_t> edges = edge_kinds(soup.vertices, soup.indices, matches, options.tolerance);
-    options.progress(0.45);
-
     WideTree tree;
-    if (report.triangles != 0) {
+    const auto look_for_cracks = [&] { find_t_junctions(soup, matches, options, report); };
+    const auto build = [&] {
+        const std::vector<std::uint8_t> edges = edge_kinds(soup.vertices, soup.indices, matches, options.tolerance);
+        options.progress(0.4);
+        if (report.triangles == 0) return;
         const BinaryTree binary = build_binary_tree(items_of(soup, tiles.of, options.threads), options.threads);
-        options.progress(0.8);
+        options.progress(0.7);
         tree =
             collapse(binary, {.vertices = tiles.vertices, .indices = tiles.indices, .edges = edges, .tiles = tiles.of},
                      options.threads);
+    };
+    // Half of the search for cracks is one thread's work, so the tree does not wait for it.
+    if (options.threads > 1) {
+        std::thread other([&] {
+            const IeeeGuard own_guard;
+            look_for_cracks();
+        });
+        build();
+        other.join();
+    } else {
+        look_for_cracks();
+        build();
     }
     if (tree.too_large)
         return refused(ErrorCode::limit, "a mesh holds at most 2 GB of triangles, some 80 million: split the level");
