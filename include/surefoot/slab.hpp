@@ -342,9 +342,7 @@ public:
     [[nodiscard]] friend bool operator==(const Iterator& one, const Iterator& other) noexcept {
         return one.slab_ == other.slab_ && one.index_ == other.index_;
     }
-    [[nodiscard]] friend bool operator==(const Iterator& one, SlabEnd) noexcept {
-        return one.is_at_end();
-    }
+    [[nodiscard]] friend bool operator==(const Iterator& one, SlabEnd) noexcept { return one.is_at_end(); }
 
 private:
     [[nodiscard]] bool is_at_end() const noexcept { return slab_ == nullptr || index_ >= slab_->used_; }
