@@ -9,6 +9,8 @@
 #include <cstring>
 #include <limits>
 
+// Vectors whose length is known when the program runs cannot be kept in bins: those machines have NEON as well.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tree/split.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each target
