@@ -247,7 +247,9 @@ TEST(Slab, erasing_while_iterating_is_fine) {
 TEST(Slab, its_iterators_are_forward_iterators) {
     EXPECT_TRUE(std::forward_iterator<Slab<int>::Iterator<false>>);
     EXPECT_TRUE(std::forward_iterator<Slab<int>::Iterator<true>>);
-    EXPECT_TRUE((std::sentinel_for<std::default_sentinel_t, Slab<int>::Iterator<true>>));
+    EXPECT_TRUE((
+        std::is_same_v<std::iterator_traits<Slab<int>::Iterator<true>>::iterator_category, std::forward_iterator_tag>));
+    EXPECT_TRUE((std::sentinel_for<surefoot::SlabEnd, Slab<int>::Iterator<true>>));
 }
 
 }  // namespace

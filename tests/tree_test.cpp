@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include <surefoot/cook.hpp>
 #include <surefoot/mesh.hpp>
 
 #include "splitmix.hpp"
@@ -267,6 +268,24 @@ TEST(Tree, is_the_same_for_the_same_triangles) {
         EXPECT_EQ(of_one.nodes, of_other.nodes);
         EXPECT_EQ(of_one.triangles, of_other.triangles);
     }
+}
+
+TEST(Tree, is_built_of_the_same_bytes_by_every_simd_target) {
+    // Some in a plane through the origin, so that there are minima of 0 and -0 to choose from.
+    Triangles triangles = make_triangles(11, 20000, {0, 0, 0});
+    for (std::size_t i = 0; i < triangles.vertices.size(); i += 5) triangles.vertices[i].y = i % 2 == 0 ? 0.0F : -0.0F;
+    const std::vector<dvec3> vertices(triangles.vertices.begin(), triangles.vertices.end());
+    std::vector<std::byte> first;
+    on_every_target([&] {
+        const auto cooked = cook({.vertices = vertices, .indices = triangles.indices});
+        ASSERT_TRUE(cooked.has_value());
+        std::vector<std::byte> bytes;
+        for (const Section& section : cooked->mesh.sections())
+            bytes.insert(bytes.end(), section.bytes.begin(), section.bytes.end());
+        if (first.empty()) first = bytes;
+        EXPECT_EQ(bytes, first);
+    });
+    EXPECT_GT(first.size(), 20000U);
 }
 
 TEST(Tree, spares_a_query_nearly_all_triangles) {

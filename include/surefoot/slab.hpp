@@ -7,7 +7,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -61,6 +60,9 @@ struct SlabHandle {
     explicit constexpr operator bool() const noexcept { return generation != 0; }
     friend constexpr bool operator==(const SlabHandle&, const SlabHandle&) noexcept = default;
 };
+
+/// Where iterating over a slab ends.
+struct SlabEnd {};
 
 /// A table of `T`.
 ///
@@ -211,7 +213,7 @@ public:
     /// visited if its slot lies ahead.
     [[nodiscard]] Iterator<false> begin() noexcept { return {this, 0}; }
     [[nodiscard]] Iterator<true> begin() const noexcept { return {this, 0}; }
-    [[nodiscard]] std::default_sentinel_t end() const noexcept { return {}; }
+    [[nodiscard]] SlabEnd end() const noexcept { return {}; }
 
 private:
     /// Stands beside each slot. The generation is even while the slot is empty and odd while it is taken, so that one
@@ -317,7 +319,7 @@ public:
     using difference_type = std::ptrdiff_t;
     using reference = std::conditional_t<is_const, const T&, T&>;
     using pointer = std::conditional_t<is_const, const T*, T*>;
-    using iterator_category = std::forward_iterator_tag;
+    // A forward iterator by what it can do: its tag would cost 6,000 lines of <iterator>.
 
     Iterator() noexcept = default;
     Iterator(Owner* slab, std::uint32_t index) noexcept : slab_(slab), index_(index) { skip_empty(); }
@@ -340,9 +342,7 @@ public:
     [[nodiscard]] friend bool operator==(const Iterator& one, const Iterator& other) noexcept {
         return one.slab_ == other.slab_ && one.index_ == other.index_;
     }
-    [[nodiscard]] friend bool operator==(const Iterator& one, std::default_sentinel_t) noexcept {
-        return one.is_at_end();
-    }
+    [[nodiscard]] friend bool operator==(const Iterator& one, SlabEnd) noexcept { return one.is_at_end(); }
 
 private:
     [[nodiscard]] bool is_at_end() const noexcept { return slab_ == nullptr || index_ >= slab_->used_; }

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <surefoot/cook.hpp>
@@ -14,6 +15,7 @@
 #include "limits.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/sections.hpp"
+#include "parallel.hpp"
 #include "tree/binary_tree.hpp"
 #include "tree/wide_tree.hpp"
 
@@ -77,18 +79,23 @@ float rounded_down(double x) noexcept {
     return -rounded_up(-x);
 }
 
-std::vector<FloatBox> boxes_of(const Soup& soup) {
-    std::vector<FloatBox> boxes(soup.triangle_count());
-    for (std::uint32_t id = 0; id < boxes.size(); ++id) {
-        for (std::uint32_t side = 3 * id; side < 3 * id + 3; ++side) {
-            const Vec& v = soup.corner(side);
-            const FloatBox corner{{rounded_down(v.x), rounded_down(v.y), rounded_down(v.z)},
-                                  {rounded_up(v.x), rounded_up(v.y), rounded_up(v.z)}};
-            if (side == 3 * id) boxes[id] = corner;
-            boxes[id].include(corner);
+std::vector<TreeItem> items_of(const Soup& soup, std::span<const std::uint16_t> tiles, int threads) {
+    std::vector<TreeItem> items(soup.triangle_count());
+    in_pieces(items.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto id = static_cast<std::uint32_t>(i);
+            FloatBox box{};
+            for (std::uint32_t side = 3 * id; side < 3 * id + 3; ++side) {
+                const Vec& v = soup.corner(side);
+                const FloatBox corner{{rounded_down(v.x), rounded_down(v.y), rounded_down(v.z)},
+                                      {rounded_up(v.x), rounded_up(v.y), rounded_up(v.z)}};
+                if (side == 3 * id) box = corner;
+                box.include(corner);
+            }
+            items[i] = TreeItem::of(box, id, tiles.empty() ? std::uint16_t{0} : tiles[id]);
         }
-    }
-    return boxes;
+    });
+    return items;
 }
 
 Box3 bounds_of(const Soup& soup) {
@@ -133,17 +140,29 @@ Expected<Cooked> cook(const CookInput& input, const CookOptions& options) {
     const EdgeMatches matches = match_edges(soup.indices, soup.vertices.size());
     find_faults(soup, matches, options.most_places, report);
     options.progress(0.25);
-    find_t_junctions(soup, matches, options, report);
-    options.progress(0.4);
-    const std::vector<std::uint8_t> edges = edge_kinds(soup.vertices, soup.indices, matches, options.tolerance);
-    options.progress(0.45);
-
     WideTree tree;
-    if (report.triangles != 0) {
-        const BinaryTree binary = build_binary_tree(boxes_of(soup), tiles.of, options.threads);
-        options.progress(0.8);
+    const auto look_for_cracks = [&] { find_t_junctions(soup, matches, options, report); };
+    const auto build = [&] {
+        const std::vector<std::uint8_t> edges = edge_kinds(soup.vertices, soup.indices, matches, options.tolerance);
+        options.progress(0.4);
+        if (report.triangles == 0) return;
+        const BinaryTree binary = build_binary_tree(items_of(soup, tiles.of, options.threads), options.threads);
+        options.progress(0.7);
         tree =
-            collapse(binary, {.vertices = tiles.vertices, .indices = tiles.indices, .edges = edges, .tiles = tiles.of});
+            collapse(binary, {.vertices = tiles.vertices, .indices = tiles.indices, .edges = edges, .tiles = tiles.of},
+                     options.threads);
+    };
+    // Half of the search for cracks is one thread's work, so the tree does not wait for it.
+    if (options.threads > 1) {
+        std::thread other([&] {
+            const IeeeGuard own_guard;
+            look_for_cracks();
+        });
+        build();
+        other.join();
+    } else {
+        look_for_cracks();
+        build();
     }
     if (tree.too_large)
         return refused(ErrorCode::limit, "a mesh holds at most 2 GB of triangles, some 80 million: split the level");

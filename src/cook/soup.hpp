@@ -8,6 +8,7 @@
 
 #include <surefoot/math.hpp>
 
+#include "ieee_guard.hpp"
 #include "vec.hpp"
 
 namespace surefoot::internal {
@@ -33,7 +34,10 @@ void in_parts(std::size_t count, int threads, const Work& work) {
     const auto parts = static_cast<std::size_t>(threads);
     std::vector<std::thread> others;
     for (std::size_t part = 1; part < parts; ++part)
-        others.emplace_back([&, part] { work(part, count * part / parts, count * (part + 1) / parts); });
+        others.emplace_back([&, part] {
+            const IeeeGuard guard;
+            work(part, count * part / parts, count * (part + 1) / parts);
+        });
     work(std::size_t{0}, std::size_t{0}, count / parts);
     for (std::thread& other : others) other.join();
 }

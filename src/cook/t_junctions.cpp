@@ -25,9 +25,10 @@ public:
     CornerGrid(const Soup& soup, const std::vector<std::uint32_t>& corners, double cell, double reach)
         : cell_(cell), per_metre_(1 / cell) {
         std::size_t size = 64;
-        while (size < 2 * corners.size()) size *= 2;
-        mask_ = size - 1;
+        while (2 * size < corners.size()) size *= 2;
+        mask_ = size * slots_a_bucket - 1;
         begin_.assign(size + 1, 0);
+        crowd_.assign(size * slots_a_bucket / 4, 0);
         const auto each_cell = [&](const auto& visit) {
             for (const std::uint32_t corner : corners) {
                 const Vec& place = soup.vertices[corner];
@@ -36,19 +37,18 @@ public:
                 const Cell high = cell_at(place + margin);
                 for (std::int64_t x = low.x; x <= high.x; ++x)
                     for (std::int64_t y = low.y; y <= high.y; ++y)
-                        for (std::int64_t z = low.z; z <= high.z; ++z) visit(bucket_of({x, y, z}), corner);
+                        for (std::int64_t z = low.z; z <= high.z; ++z) visit(slot_of({x, y, z}), corner);
             }
         };
-        each_cell([&](std::size_t bucket, std::uint32_t) { ++begin_[bucket + 1]; });
+        each_cell([&](std::size_t slot, std::uint32_t) {
+            ++begin_[bucket_of(slot)];
+            if (crowd_in(slot) < most_counted)
+                crowd_[slot / 4] = static_cast<std::uint8_t>(crowd_[slot / 4] + (1U << (2 * (slot % 4))));
+        });
         for (std::size_t bucket = 0; bucket < size; ++bucket) begin_[bucket + 1] += begin_[bucket];
         corners_.resize(begin_[size]);
-        std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-        each_cell([&](std::size_t bucket, std::uint32_t corner) { corners_[next[bucket]++] = corner; });
-        crowd_.assign(size / 4, 0);
-        for (std::size_t bucket = 0; bucket < size; ++bucket) {
-            const std::uint32_t count = std::min(begin_[bucket + 1] - begin_[bucket], 3U);
-            crowd_[bucket / 4] = static_cast<std::uint8_t>(crowd_[bucket / 4] | count << (2 * (bucket % 4)));
-        }
+        // From where each bucket ends down to where it begins.
+        each_cell([&](std::size_t slot, std::uint32_t corner) { corners_[--begin_[bucket_of(slot)]] = corner; });
     }
 
     [[nodiscard]] Cell cell_at(const Vec& v) const noexcept {
@@ -60,21 +60,35 @@ public:
         return {down(v.x), down(v.y), down(v.z)};
     }
 
-    /// Those in this cell, and strangers whose cells have the same hash; none if there are no more than `known`.
+    /// Those in this cell, and strangers whose cells have the same bucket; none if there are no more than `known`.
     [[nodiscard]] std::span<const std::uint32_t> corners_in(const Cell& cell, unsigned known) const noexcept {
-        const std::size_t bucket = bucket_of(cell);
-        if ((crowd_[bucket / 4] >> (2 * (bucket % 4)) & 3U) <= known) return {};
+        const std::size_t slot = slot_of(cell);
+        if (crowd_in(slot) <= known && known < most_counted) return {};
+        const std::size_t bucket = bucket_of(slot);
         return std::span(corners_).subspan(begin_[bucket], begin_[bucket + 1] - begin_[bucket]);
     }
 
     [[nodiscard]] double cell_size() const noexcept { return cell_; }
 
 private:
-    [[nodiscard]] std::size_t bucket_of(const Cell& cell) const noexcept {
-        std::uint64_t hash = static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15;
-        hash = (hash ^ (hash >> 32U) ^ static_cast<std::uint64_t>(cell.y)) * 0xBF58476D1CE4E5B9;
-        hash = (hash ^ (hash >> 32U) ^ static_cast<std::uint64_t>(cell.z)) * 0x94D049BB133111EB;
-        return static_cast<std::size_t>(hash >> 32U) & mask_;
+    // Nearly all cells on the way hold nothing but what is known, and it takes one look into a small table to see that:
+    // it counts in far more slots than there are buckets, so that few cells share one, and blocks of 4 x 4 x 4 cells
+    // lie together in it, so that most looks are at what has just been fetched.
+    static constexpr std::size_t slots_a_bucket = 32;
+    static constexpr unsigned most_counted = 3;
+
+    [[nodiscard]] unsigned crowd_in(std::size_t slot) const noexcept {
+        return crowd_[slot / 4] >> (2 * (slot % 4)) & 3U;
+    }
+    [[nodiscard]] std::size_t slot_of(const Cell& cell) const noexcept {
+        std::uint64_t hash = static_cast<std::uint64_t>(cell.x >> 2) * 0x9E3779B97F4A7C15;
+        hash = (hash ^ (hash >> 32U) ^ static_cast<std::uint64_t>(cell.y >> 2)) * 0xBF58476D1CE4E5B9;
+        hash = (hash ^ (hash >> 32U) ^ static_cast<std::uint64_t>(cell.z >> 2)) * 0x94D049BB133111EB;
+        const auto within = static_cast<std::size_t>((cell.x & 3) << 4 | (cell.y & 3) << 2 | (cell.z & 3));
+        return (static_cast<std::size_t>(hash >> 24U) << 6 | within) & mask_;
+    }
+    [[nodiscard]] std::size_t bucket_of(std::size_t slot) const noexcept {
+        return static_cast<std::size_t>(std::uint64_t{slot} * 0x9E3779B97F4A7C15 >> 32U) & (begin_.size() - 2);
     }
 
     double cell_;
@@ -82,7 +96,7 @@ private:
     std::size_t mask_ = 0;
     std::vector<std::uint32_t> begin_;
     std::vector<std::uint32_t> corners_;
-    std::vector<std::uint8_t> crowd_;  // two bits a bucket: how many, up to 3. Small enough for a cache.
+    std::vector<std::uint8_t> crowd_;  // two bits a slot: how many, up to 3
 };
 
 // Visits the cells from `a` to `b` in order; false when that is more than `most`.
@@ -187,9 +201,15 @@ void find_t_junctions(const Soup& soup, const EdgeMatches& matches, const CookOp
             std::size_t asked = 0;
             const Cell first = grid.cell_at(a);
             const Cell last = grid.cell_at(b);
+            // The grid has the third corner as well if another side of it is open.
+            const std::uint32_t tip = next_side(next_side(side));
+            const bool has_tip =
+                matches.partner[tip] == EdgeMatches::none || matches.partner[next_side(side)] == EdgeMatches::none;
+            const Cell with_tip = grid.cell_at(soup.corner(tip));
             const bool walked = walk(grid, a, b, longest_walk, [&](const Cell& cell) {
-                const unsigned own_ends = (cell == first ? 1U : 0U) + (cell == last ? 1U : 0U);
-                for (const std::uint32_t corner : grid.corners_in(cell, own_ends)) {
+                const unsigned own =
+                    (cell == first ? 1U : 0U) + (cell == last ? 1U : 0U) + (has_tip && cell == with_tip ? 1U : 0U);
+                for (const std::uint32_t corner : grid.corners_in(cell, own)) {
                     if (++asked > most_corners) return;
                     if (corner == soup.indices[side] || corner == soup.indices[next_side(side)]) continue;
                     if (lies_on(soup.vertices[corner], a, b, options.tolerance)) seen.push_back(corner);
@@ -200,7 +220,7 @@ void find_t_junctions(const Soup& soup, const EdgeMatches& matches, const CookOp
             std::sort(seen.begin(), seen.end());
             seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
             for (const std::uint32_t corner : seen) {
-                if (corner == soup.indices[next_side(next_side(side))]) continue;  // a sliver's own tip
+                if (corner == soup.indices[tip]) continue;  // a sliver's own tip
                 add_place(part.found, side / 3, soup.vertices[corner], options.most_places);
             }
         }

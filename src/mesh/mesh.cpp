@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <thread>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "mesh/data.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/sections.hpp"
+#include "parallel.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -26,6 +28,20 @@ Error too_large() {
     return {ErrorCode::limit, "a mesh holds at most 2 GB of triangles, some 80 million: split it", {}, 0};
 }
 
+// Whether all numbers are, without saying where one is not: in loops without a way out, which compilers make vectors
+// of.
+bool all_fine(const MeshInput& input) {
+    constexpr auto most = static_cast<float>(largest_coordinate);  // exactly
+    unsigned faults = 0;
+    for (const vec3& v : input.vertices) {
+        faults |=
+            (std::abs(v.x) <= most ? 0U : 1U) | (std::abs(v.y) <= most ? 0U : 1U) | (std::abs(v.z) <= most ? 0U : 1U);
+    }
+    const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(input.vertices.size(), 0xFFFFFFFF));
+    for (const std::uint32_t index : input.indices) faults |= index < count ? 0U : 1U;
+    return faults == 0;
+}
+
 // What is wrong with it, if anything is.
 std::optional<Error> fault_in(const MeshInput& input) {
     const std::size_t triangles = input.indices.size() / 3;
@@ -40,6 +56,7 @@ std::optional<Error> fault_in(const MeshInput& input) {
         return (invalid("there are " + std::to_string(input.surfaces.size()) + " surfaces for " +
                         std::to_string(triangles) + " triangles: give one a triangle, or none"));
     }
+    if (all_fine(input)) return std::nullopt;
     for (std::size_t i = 0; i < input.vertices.size(); ++i) {
         if (!is_valid_point(dvec3(input.vertices[i]))) {
             return (invalid("vertex " + std::to_string(i) +
@@ -56,25 +73,34 @@ std::optional<Error> fault_in(const MeshInput& input) {
     return std::nullopt;
 }
 
+FloatBox box_of(const LeafInput& input, std::uint32_t id) {
+    const vec3 a = input.corner(id, 0);
+    FloatBox box{{a.x, a.y, a.z}, {a.x, a.y, a.z}};
+    for (std::uint32_t i = 1; i < 3; ++i) {
+        const vec3 p = input.corner(id, i);
+        box.include({{p.x, p.y, p.z}, {p.x, p.y, p.z}});
+    }
+    return box;
+}
+
 std::vector<FloatBox> boxes_of(const LeafInput& input) {
     std::vector<FloatBox> boxes(input.indices.size() / 3);
-    for (std::uint32_t id = 0; id < boxes.size(); ++id) {
-        const vec3 a = input.corner(id, 0);
-        boxes[id] = {{a.x, a.y, a.z}, {a.x, a.y, a.z}};
-        for (std::uint32_t i = 1; i < 3; ++i) {
-            const vec3 p = input.corner(id, i);
-            boxes[id].include({{p.x, p.y, p.z}, {p.x, p.y, p.z}});
-        }
-    }
+    for (std::uint32_t id = 0; id < boxes.size(); ++id) boxes[id] = box_of(input, id);
     return boxes;
+}
+
+Box3 bounds_of(const FloatBox& whole) {
+    return {{whole.min[0], whole.min[1], whole.min[2]}, {whole.max[0], whole.max[1], whole.max[2]}};
 }
 
 Box3 bounds_of(std::span<const FloatBox> boxes) {
     if (boxes.empty()) return {};
     FloatBox whole = boxes[0];
     for (const FloatBox& box : boxes) whole.include(box);
-    return {{whole.min[0], whole.min[1], whole.min[2]}, {whole.max[0], whole.max[1], whole.max[2]}};
+    return bounds_of(whole);
 }
+
+constexpr std::size_t least_to_share = 4096;  // triangles: fewer are not worth a thread
 
 int building_threads() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
@@ -102,14 +128,44 @@ Mesh::~Mesh() {
 Expected<Mesh> Mesh::build(const MeshInput& input) {
     const IeeeGuard guard;
     if (auto fault = fault_in(input)) return tl::unexpected(std::move(*fault));
-    const std::vector<std::uint8_t> edges = edge_kinds(input.vertices, input.indices);
-    const LeafInput triangles{.vertices = input.vertices, .indices = input.indices, .edges = edges};
-    const std::vector<FloatBox> boxes = boxes_of(triangles);
+    const std::size_t count = input.indices.size() / 3;
+    const int threads = count < least_to_share ? 1 : building_threads();
+    LeafInput triangles{.vertices = input.vertices, .indices = input.indices};
+    std::vector<std::uint8_t> edges;
+    BinaryTree binary;
+    const auto find_edges = [&] { edges = edge_kinds(input.vertices, input.indices); };
+    const auto make_binary = [&] {
+        std::vector<TreeItem> items(count);
+        in_pieces(count, threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto id = static_cast<std::uint32_t>(i);
+                items[i] = TreeItem::of(box_of(triangles, id), id, 0);
+            }
+        });
+        if (count != 0) binary = build_binary_tree(std::move(items), threads);
+    };
+    // The edges are one thread's work, and so is the top of the tree: neither waits for the other.
+    if (threads > 1) {
+        std::thread other([&] {
+            const IeeeGuard own_guard;
+            find_edges();
+        });
+        make_binary();
+        other.join();
+    } else {
+        find_edges();
+        make_binary();
+    }
+    triangles.edges = edges;
     WideTree tree;
-    if (!boxes.empty()) tree = collapse(build_binary_tree(boxes, {}, building_threads()), triangles);
+    Box3 bounds{};
+    if (count != 0) {
+        bounds = bounds_of(binary.nodes[0].box);
+        tree = collapse(binary, triangles, threads);
+    }
     if (tree.too_large) return tl::unexpected(too_large());
-    return Mesh(Data::from(std::move(tree), {input.surfaces.begin(), input.surfaces.end()}, bounds_of(boxes),
-                           input.vertices.size()));
+    return Mesh(
+        Data::from(std::move(tree), {input.surfaces.begin(), input.surfaces.end()}, bounds, input.vertices.size()));
 }
 
 Expected<Mesh> Mesh::refit(const MeshInput& moved) const {

@@ -1,130 +1,16 @@
-// Which nodes of the binary tree become wide nodes is decided by dynamic programming over the surface area heuristic:
-// Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs" (2017), section 3.
 #include "tree/wide_tree.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <memory>
+#include <utility>
+
+#include "parallel.hpp"
+#include "tree/leaf_writer.hpp"
+#include "tree/plan.hpp"
 
 namespace surefoot::internal {
 
 namespace {
-
-// What it costs to look into a node, into a leaf, and at one of its triangles.
-constexpr float node_cost = 1.0F;
-constexpr float leaf_cost = 1.0F;
-constexpr float triangle_cost = 0.03F;
-
-// The cheapest way to stand for a subtree with at most i roots, i = 1 ... 8.
-struct Plan {
-    std::array<float, tree_width> cost;
-    std::array<std::uint8_t, tree_width> left;  ///< how many of them in the left half; 0: one root less is as good
-    std::uint8_t left_of_node = 0;              ///< as a wide node of its own: how many of its eight; 0: better a leaf
-};
-
-bool is_one_tile(const BinaryTree& binary, const BinaryNode& node, const LeafInput& input) {
-    if (input.tiles.empty()) return true;
-    for (std::uint32_t i = 1; i < node.count; ++i) {
-        if (input.tiles[binary.order[node.first + i]] != input.tiles[binary.order[node.first]]) return false;
-    }
-    return true;
-}
-
-std::vector<Plan> make_plans(const BinaryTree& binary, const LeafInput& input) {
-    std::vector<Plan> plans(binary.nodes.size());
-    for (std::size_t n = plans.size(); n-- > 0;) {
-        const BinaryNode& node = binary.nodes[n];
-        Plan& plan = plans[n];
-        const float area = node.box.area();
-        const float as_leaf = node.count <= tree_width && is_one_tile(binary, node, input)
-                                  ? area * (leaf_cost + triangle_cost * static_cast<float>(node.count))
-                                  : std::numeric_limits<float>::infinity();
-        if (node.left == 0) {
-            plan.cost.fill(as_leaf);
-            plan.left.fill(0);
-            continue;
-        }
-        const auto& left = plans[node.left].cost;
-        const auto& right = plans[node.right].cost;
-        const auto share = [&](std::size_t roots, std::uint8_t& most_left) {
-            float least = std::numeric_limits<float>::infinity();
-            most_left = 1;
-            for (std::size_t k = 1; k < roots; ++k) {
-                const float cost = left[k - 1] + right[roots - k - 1];
-                if (cost < least) {
-                    least = cost;
-                    most_left = static_cast<std::uint8_t>(k);
-                }
-            }
-            return least;
-        };
-        const float as_node = area * node_cost + share(tree_width, plan.left_of_node);
-        plan.cost[0] = std::min(as_leaf, as_node);
-        plan.left[0] = 0;
-        if (as_leaf <= as_node) plan.left_of_node = 0;
-        for (std::size_t roots = 2; roots <= tree_width; ++roots) {
-            plan.cost[roots - 1] = share(roots, plan.left[roots - 1]);
-            if (plan.cost[roots - 2] <= plan.cost[roots - 1]) {
-                plan.cost[roots - 1] = plan.cost[roots - 2];
-                plan.left[roots - 1] = 0;
-            }
-        }
-    }
-    return plans;
-}
-
-// Writes leaf blocks one behind the other.
-class LeafWriter {
-public:
-    LeafWriter(const LeafInput& input, WideTree& tree) : input_(input), tree_(tree) {}
-
-    // Returns what a parent keeps: leaf_bit and the first word.
-    std::uint32_t add(std::span<std::uint32_t> ids) {
-        std::sort(ids.begin(), ids.end());
-        const auto word = static_cast<std::uint32_t>(tree_.leaves.size());
-        vec3 vertices[3 * tree_width];
-        std::uint8_t corners[3][tree_width];
-        std::uint32_t vertex_count = 0;
-        for (std::uint32_t slot = 0; slot < ids.size(); ++slot) {
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const vec3 p = input_.corner(ids[slot], i);
-                std::uint32_t index = 0;
-                while (index < vertex_count && std::memcmp(&vertices[index], &p, sizeof p) != 0) ++index;
-                if (index == vertex_count) vertices[vertex_count++] = p;
-                corners[i][slot] = static_cast<std::uint8_t>(index);
-            }
-        }
-        const auto count = static_cast<std::uint32_t>(ids.size());
-        if (word + std::size_t{leaf_words(count, vertex_count)} > most_leaf_words) {
-            tree_.too_large = true;
-            return leaf_bit;
-        }
-        const std::uint32_t tile = input_.tiles.empty() ? 0U : input_.tiles[ids[0]];
-        tree_.leaves.push_back(count | vertex_count << 8 | tile << 16);
-        for (int axis = 0; axis < 3; ++axis) {
-            for (std::uint32_t i = 0; i < vertex_count; ++i) {
-                tree_.leaves.push_back(std::bit_cast<std::uint32_t>(vertices[i][axis]));
-            }
-        }
-        std::uint8_t bytes[4 * tree_width] = {};
-        for (std::uint32_t slot = 0; slot < count; ++slot) {
-            for (std::uint32_t i = 0; i < 3; ++i) bytes[i * count + slot] = corners[i][slot];
-            bytes[3 * count + slot] = input_.edges.empty() ? std::uint8_t{0} : input_.edges[ids[slot]];
-            tree_.places[ids[slot]] = word << 3 | slot;
-        }
-        for (std::uint32_t i = 0; i < count; ++i) {
-            std::uint32_t four = 0;
-            std::memcpy(&four, bytes + 4 * i, 4);
-            tree_.leaves.push_back(four);
-        }
-        tree_.leaves.insert(tree_.leaves.end(), ids.begin(), ids.end());
-        return leaf_bit | word;
-    }
-
-private:
-    const LeafInput& input_;
-    WideTree& tree_;
-};
 
 // Puts the children's boxes on the node's grid, outwards.
 void quantise(WideNode& node, std::span<const FloatBox> boxes) {
@@ -158,14 +44,38 @@ void quantise(WideNode& node, std::span<const FloatBox> boxes) {
     }
 }
 
+// Part of the collapse that waits for its turn.
+struct Branch {
+    std::uint32_t wide;    // the wide node above it
+    std::uint32_t slot;    // which of its children this is
+    std::uint32_t binary;  // the binary node that it begins at
+    WideTree tree{};       // what became of it, numbered from 0
+};
+
 class Collapser {
 public:
-    Collapser(const BinaryTree& binary, const LeafInput& input, WideTree& tree)
-        : binary_(binary), order_(binary.order), plans_(make_plans(binary, input)), leaves_(input, tree), tree_(tree) {}
+    // Writes nodes and leaves to `tree`. Children of at most `apart` triangles are put off, into `branches`.
+    Collapser(const BinaryTree& binary, const Plan* plans, const LeafInput& input, WideTree& tree,
+              std::span<std::uint32_t> places, std::uint32_t apart, std::vector<Branch>* branches)
+        : binary_(binary),
+          plans_(plans),
+          input_(input),
+          leaves_(tree, places),
+          tree_(tree),
+          apart_(apart),
+          branches_(branches) {}
 
-    void run() {
+    void run(std::uint32_t binary) {
+        const BinaryNode& node = binary_.nodes[binary];
+        tree_.nodes.reserve(node.count / 16 + 16);
+        tree_.leaves.reserve(node.count * std::size_t{7} + leaf_padding);
         tree_.nodes.resize(1);
-        fill(0, 0);
+        if (apart_ == 0) {
+            first_ = node.first;
+            triangles_ = std::make_unique_for_overwrite<LeafTriangle[]>(node.count);
+            gather({&binary_.order[node.first], node.count}, input_, triangles_.get());
+        }
+        fill(0, binary);
     }
 
 private:
@@ -179,7 +89,7 @@ private:
         const BinaryNode& node = binary_.nodes[n];
         if (const std::uint8_t left = plans_[n].left_of_node; left != 0) {
             collect(node.left, left, children);
-            collect(node.right, static_cast<std::uint8_t>(tree_width - left), children);
+            collect(node.right(), static_cast<std::uint8_t>(tree_width - left), children);
         } else {
             children.node[children.count++] = n;  // a root that is one leaf
         }
@@ -194,45 +104,99 @@ private:
         for (std::uint32_t i = 0; i < children.count; ++i) {
             const BinaryNode& child = binary_.nodes[children.node[i]];
             if (plans_[children.node[i]].left_of_node == 0) {
-                result.child[i] = leaves_.add({&order_[child.first], child.count});
+                result.child[i] = add_leaf(child);
+            } else if (child.count <= apart_) {
+                branches_->push_back({wide, i, children.node[i]});
             } else {
                 result.child[i] = static_cast<std::uint32_t>(tree_.nodes.size() + inner_count);
-                inner[inner_count++] = i;
+                inner[inner_count++] = children.node[i];
             }
         }
         const auto first = static_cast<std::uint32_t>(tree_.nodes.size());
         tree_.nodes.resize(first + inner_count);
         tree_.nodes[wide] = result;
-        for (std::uint32_t i = 0; i < inner_count; ++i) fill(first + i, children.node[inner[i]]);
+        for (std::uint32_t i = 0; i < inner_count; ++i) fill(first + i, inner[i]);
+    }
+
+    std::uint32_t add_leaf(const BinaryNode& node) {
+        if (triangles_) return leaves_.add({&triangles_[node.first - first_], node.count});
+        LeafTriangle triangles[tree_width];
+        gather({&binary_.order[node.first], node.count}, input_, triangles);
+        return leaves_.add({triangles, node.count});
     }
 
     void collect(std::uint32_t n, std::uint8_t roots, Children& children) {
+        roots = std::min(roots, plans_[n].most);
         while (roots > 1 && plans_[n].left[roots - 1U] == 0) --roots;
-        if (roots == 1 || binary_.nodes[n].left == 0) {
+        if (roots == 1) {
             children.node[children.count++] = n;
             return;
         }
         const std::uint8_t left = plans_[n].left[roots - 1U];
         collect(binary_.nodes[n].left, left, children);
-        collect(binary_.nodes[n].right, static_cast<std::uint8_t>(roots - left), children);
+        collect(binary_.nodes[n].right(), static_cast<std::uint8_t>(roots - left), children);
     }
 
     const BinaryTree& binary_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Plan> plans_;
+    const Plan* plans_;
+    const LeafInput& input_;
     LeafWriter leaves_;
     WideTree& tree_;
+    std::uint32_t apart_;
+    std::vector<Branch>* branches_;
+    std::unique_ptr<LeafTriangle[]> triangles_;  // all of a branch, in order; null above the branches
+    std::uint32_t first_ = 0;                    // the place of the first of them
 };
+
+// Puts the branches behind the top of the tree.
+void join(WideTree& tree, std::vector<Branch>& branches, const BinaryTree& binary, int threads) {
+    std::vector<std::size_t> first_node(branches.size());
+    std::vector<std::size_t> first_word(branches.size());
+    std::size_t nodes = tree.nodes.size();
+    std::size_t words = tree.leaves.size();
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        first_node[i] = nodes;
+        first_word[i] = words;
+        nodes += branches[i].tree.nodes.size();
+        words += branches[i].tree.leaves.size();
+        tree.nodes[branches[i].wide].child[branches[i].slot] = static_cast<std::uint32_t>(first_node[i]);
+        tree.too_large = tree.too_large || branches[i].tree.too_large;
+    }
+    tree.too_large = tree.too_large || words > most_leaf_words;
+    if (tree.too_large) return;
+    tree.nodes.resize(nodes);
+    tree.leaves.resize(words);
+    in_parallel(branches.size(), threads, [&](std::size_t i) {
+        const WideTree branch = std::move(branches[i].tree);
+        const auto node = static_cast<std::uint32_t>(first_node[i]);
+        const auto word = static_cast<std::uint32_t>(first_word[i]);
+        for (std::uint32_t n = 0; n < branch.nodes.size(); ++n) {
+            WideNode& moved = tree.nodes[node + n];
+            moved = branch.nodes[n];
+            for (std::uint32_t k = 0; k < moved.count; ++k)
+                moved.child[k] += (moved.child[k] & leaf_bit) != 0 ? word : node;
+        }
+        std::copy(branch.leaves.begin(), branch.leaves.end(), tree.leaves.begin() + word);
+        const BinaryNode& all = binary.nodes[branches[i].binary];
+        for (std::uint32_t k = all.first; k < all.first + all.count; ++k) tree.places[binary.order[k]] += word << 3;
+    });
+}
 
 }  // namespace
 
-WideTree collapse(const BinaryTree& binary, const LeafInput& input) {
+WideTree collapse(const BinaryTree& binary, const LeafInput& input, int threads) {
     WideTree tree;
     tree.places.resize(binary.order.size());
-    tree.nodes.reserve(binary.order.size() / 24 + 16);
-    tree.leaves.reserve(binary.order.size() * 6 + leaf_padding);
-    Collapser(binary, input, tree).run();
+    const std::unique_ptr<Plan[]> plans = make_plans(binary, input, threads);
+    const bool shared = binary.order.size() > binary.part_size;
+    std::vector<Branch> branches;
+    Collapser(binary, plans.get(), input, tree, tree.places, shared ? binary.part_size : 0, &branches).run(0);
+    in_parallel(branches.size(), threads, [&](std::size_t i) {
+        Collapser(binary, plans.get(), input, branches[i].tree, tree.places, 0, nullptr).run(branches[i].binary);
+    });
+    join(tree, branches, binary, threads);
     tree.leaves.resize(tree.leaves.size() + leaf_padding);
+    std::fill(tree.leaves.end() - leaf_padding, tree.leaves.end(), 0U);
     return tree;
 }
 
@@ -241,7 +205,7 @@ WideTree refit(const MeshView& view, const LeafInput& input, std::span<const Flo
     tree.places.resize(view.places.size());
     tree.nodes.assign(view.nodes.begin(), view.nodes.end());
     tree.leaves.reserve(view.leaves.size());
-    LeafWriter leaves(input, tree);
+    LeafWriter leaves(tree, tree.places);
     std::vector<FloatBox> whole(tree.nodes.size());
     // Children lie behind their parents, so backwards every child's box is there when it is asked for.
     for (std::size_t n = tree.nodes.size(); n-- > 0;) {
@@ -257,13 +221,16 @@ WideTree refit(const MeshView& view, const LeafInput& input, std::span<const Flo
             std::copy_n(block.ids(), block.count, ids);
             children[i] = boxes[ids[0]];
             for (std::uint32_t slot = 1; slot < block.count; ++slot) children[i].include(boxes[ids[slot]]);
-            node.child[i] = leaves.add({ids, block.count});
+            LeafTriangle triangles[tree_width];
+            gather({ids, block.count}, input, triangles);
+            node.child[i] = leaves.add({triangles, block.count});
         }
         whole[n] = children[0];
         for (std::uint32_t i = 1; i < node.count; ++i) whole[n].include(children[i]);
         quantise(node, {children, node.count});
     }
     tree.leaves.resize(tree.leaves.size() + leaf_padding);
+    std::fill(tree.leaves.end() - leaf_padding, tree.leaves.end(), 0U);
     return tree;
 }
 

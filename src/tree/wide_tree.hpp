@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <surefoot/math.hpp>
@@ -24,14 +27,31 @@ struct LeafInput {
     }
 };
 
+// New elements are left as they are, so that whoever writes them is the first to touch their memory.
+template <typename T>
+struct LeavesUnset : std::allocator<T> {
+    template <typename U>
+    struct rebind {
+        using other = LeavesUnset<U>;
+    };
+    void construct(T* element) noexcept { ::new (static_cast<void*>(element)) T; }
+    template <typename... Arguments>
+    void construct(T* element, Arguments&&... arguments) noexcept {
+        ::new (static_cast<void*>(element)) T(std::forward<Arguments>(arguments)...);
+    }
+};
+template <typename T>
+using UnsetVector = std::vector<T, LeavesUnset<T>>;
+
 struct WideTree {
-    std::vector<WideNode> nodes;
-    std::vector<std::uint32_t> leaves;
-    std::vector<std::uint32_t> places;
+    UnsetVector<WideNode> nodes;
+    UnsetVector<std::uint32_t> leaves;
+    UnsetVector<std::uint32_t> places;
     bool too_large = false;  ///< the leaves would need more than most_leaf_words
 };
 
-[[nodiscard]] WideTree collapse(const BinaryTree& binary, const LeafInput& input);
+/// The same tree whatever the number of threads [1, 64].
+[[nodiscard]] WideTree collapse(const BinaryTree& binary, const LeafInput& input, int threads);
 
 /// The same tree around triangles that have moved: every box is made anew from the leaves upwards.
 /// `boxes` are those of the triangles, by id. Requires: a view that `collapse` made, of as many triangles.
