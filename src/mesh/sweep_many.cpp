@@ -24,7 +24,7 @@ public:
 
     void add(const Motion& motion, const Box3& extent, std::optional<Hit>& answer) noexcept {
         Sweep& sweep = sweeps_[count_];
-        sweep.query.emplace(view_, volume_, motion, options_);
+        sweep.query.emplace(FirstSweep{view_, volume_, motion, options_});
         sweep.asker.emplace(view_, options_, *sweep.query);
         sweep.answer = &answer;
         searches_[count_] = make_search(view_, volume_, motion, extent);

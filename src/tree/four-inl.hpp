@@ -70,6 +70,10 @@ using FourTag = hn::FixedTag<float, 4>;
 using FourWholeTag = hn::FixedTag<std::int32_t, 4>;
 
 struct Four {
+    // Written out: those that g++ makes itself are not compiled for the target of the lanes.
+    HWY_INLINE Four() noexcept {}
+    HWY_INLINE Four(hn::Vec<FourTag> all_lanes) noexcept : lanes(all_lanes) {}
+
     hn::Vec<FourTag> lanes;
 };
 

@@ -26,6 +26,9 @@ constexpr float far_away = std::numeric_limits<float>::max();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 struct Box4 {
+    HWY_INLINE Box4() noexcept {}
+    HWY_INLINE Box4(const Four& low, const Four& high) noexcept : min(low), max(high) {}
+
     Four min;
     Four max;
 
