@@ -1,6 +1,6 @@
-// What most sweeps of round shapes that are not a face hit are: a ball that clearly meets one edge or one corner. That
-// one plane is the whole answer if it has a gap until t and shape and triangle have a point in common at t; so the
-// feature may be guessed, and the other features need not be asked.
+// What most sweeps of round shapes that are not a face hit are: a ball, or a capsule, that clearly meets one edge or
+// one corner. That one plane is the whole answer if it has a gap until t and shape and triangle have a point in common
+// at t; so the feature may be guessed, and the other features need not be asked.
 #pragma once
 
 #include <surefoot/shapes.hpp>
@@ -26,6 +26,9 @@ struct RoundFirst {
 [[nodiscard]] RoundFirst ask_round_first(const SweepQuery& query, const Sphere& sphere, const FaceFirst& face,
                                          double limit) noexcept;
 [[nodiscard]] RoundFirst ask_round_first(const SweepQuery& query, const Ellipsoid& ellipsoid, const FaceFirst& face,
+                                         double limit) noexcept;
+
+[[nodiscard]] RoundFirst ask_round_first(const SweepQuery& query, const Capsule& capsule, const FaceFirst& face,
                                          double limit) noexcept;
 
 }  // namespace surefoot::internal

@@ -151,6 +151,7 @@ RoundFirst ask_one_feature(const SweepQuery& query, const FaceFirst& face, doubl
     if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) {
         return ask_round_first(query, *ellipsoid, face, limit);
     }
+    if (const auto* capsule = std::get_if<Capsule>(&query.shape)) return ask_round_first(query, *capsule, face, limit);
     return {};
 }
 
