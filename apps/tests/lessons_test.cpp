@@ -218,6 +218,8 @@ public:
         display_ = std::move(*display);
         renderer_ = std::make_unique<view::Renderer>();
         imgui_ = std::make_unique<view::ImGuiAdapter>(*display_);
+        stage_.emplace(Stage{*display_, *renderer_, settings_, toasts_, browser_, levels_, true});
+        panel_->enter(*stage_);
         look();
         for (int i = 0; i < 3; ++i) frame();
     }
@@ -282,6 +284,11 @@ private:
     std::unique_ptr<view::Display> display_;
     std::unique_ptr<view::Renderer> renderer_;
     std::unique_ptr<view::ImGuiAdapter> imgui_;
+    view::Settings settings_;
+    view::Toasts toasts_;
+    view::FileBrowser browser_;
+    LevelLoader levels_{true};
+    std::optional<Stage> stage_;
     view::OrbitCamera camera_;
     debugger::Question question_;
     debugger::Arena arena_{std::vector<Triangle>{}};

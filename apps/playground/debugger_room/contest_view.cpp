@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/scenery.hpp"
 
 namespace surefoot::playground {
@@ -24,7 +25,10 @@ constexpr view::Colour ground_side = rgb(0x9AA3AA);
 
 /// Beside each other, as seen from where one usually stands.
 dvec3 lane(Course course, std::size_t i) {
-    return (course == Course::slope ? rightwards * wedge_spacing : dvec3(0.7, 0, -1.15)) * (double(i) - 2);
+    const double rank = double(i) - 2;
+    if (course == Course::slope) return rightwards * (rank * wedge_spacing);
+    // Stairs are longer than high, and go away to the left.
+    return dvec3(0.7, 0, -1.15) * rank + (course == Course::stairs ? rightwards * 1.3 : dvec3(0));
 }
 
 /// Courses that rise do so away from where one usually stands.
@@ -75,13 +79,24 @@ void draw_measure(view::Renderer& renderer, const dvec3& from, const dvec3& to, 
     }
 }
 
+/// Are wedges so far apart on the picture that labels with words do not run into each other?
+bool has_room_for_words(const view::FrameView& view) {
+    constexpr double widest = 116;  // of such a label, in window units
+    const auto one = view.camera.project(lane(Course::slope, 2), view.size);
+    const auto next = view.camera.project(lane(Course::slope, 3), view.size);
+    return one && next && std::abs(next->at.x - one->at.x) >= widest;
+}
+
 void draw_slope_reading(view::Renderer& renderer, const Contest& contest, std::size_t i) {
     const debugger::SlopeReading& reading = contest.slope(i);
     const dvec3 foot = ContestView::placed(contest, i, contest.foot(i));
     draw_measure(renderer, foot, foot - dvec3(0, reading.gap, 0), rightwards * 0.1);
     const double skin = reading.clearance / std::cos(contest.angle());
-    const std::string text = fmt::format("gap {:.1f} mm\nform {:.1f}\nskin {:.1f}", reading.gap * 1e3,
-                                         (reading.expected - skin) * 1e3, skin * 1e3);
+    const double form = reading.expected - skin;
+    std::string text =
+        fmt::format("gap {:.1f} mm\nform {:.1f}\nskin {:.1f}", reading.gap * 1e3, form * 1e3, skin * 1e3);
+    if (!has_room_for_words(renderer.view()))
+        text = fmt::format("{:.1f}\n{:.1f}\n{:.1f}", reading.gap * 1e3, form * 1e3, skin * 1e3);
     const double y = -half_wedge * std::tan(contest.angle()) - plinth;
     renderer.label({.place = lane(Course::slope, i) + dvec3(0, y, half_lane),
                     .text = text,
@@ -124,10 +139,6 @@ dvec3 ContestView::placed(const Contest& contest, std::size_t i, const dvec3& pl
         local -= dvec3(rest.x, rest.x * std::tan(contest.angle()), 0);
     }
     return (turned(course) ? half_turned(local) : local) + lane(course, i);
-}
-
-std::pair<dvec3, double> ContestView::frame() {
-    return {dvec3(0, 0.3, 0) + rightwards * 3.2, 4.8};
 }
 
 void ContestView::build(const Contest& contest) {

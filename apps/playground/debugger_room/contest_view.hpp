@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 
 #include "playground/debugger_room/contest.hpp"
 #include "view/renderer.hpp"
@@ -17,9 +16,6 @@ namespace surefoot::playground {
 class ContestView {
 public:
     void draw(view::Renderer& renderer, const Contest& contest);
-
-    /// What a camera should look at, as a ball. It lies to the right of it all, for there a panel is in the way.
-    [[nodiscard]] static std::pair<dvec3, double> frame();
 
     /// From where a place of the course is seen: contestants share one course, and are drawn beside each other.
     [[nodiscard]] static dvec3 placed(const Contest& contest, std::size_t i, const dvec3& place);

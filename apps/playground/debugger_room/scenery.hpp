@@ -44,7 +44,4 @@ private:
     return {-p.x, p.y, -p.z};
 }
 
-/// To the right, as seen from where one stands when a lesson begins.
-inline constexpr dvec3 rightwards{0.814, 0, -0.581};
-
 }  // namespace surefoot::playground

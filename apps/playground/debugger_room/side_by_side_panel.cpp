@@ -5,6 +5,7 @@
 
 #include "playground/debugger_room/contest.hpp"
 #include "playground/debugger_room/contest_view.hpp"
+#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "view/widgets.hpp"
 
@@ -19,12 +20,15 @@ constexpr double degree = 3.14159265358979323846 / 180;
 class SideBySidePanel final : public Panel {
 public:
     [[nodiscard]] std::string_view name() const override { return "Side by side"; }
+    void enter(Stage& stage) override { stage_ = &stage; }
     void changed(const Inquiry& /*inquiry*/) override {}
     bool update(double /*dt*/, Inquiry& /*inquiry*/) override { return contest_.update(); }
     void draw(view::Renderer& renderer, const Inquiry& /*inquiry*/) override { look_.draw(renderer, contest_); }
     void ui(Inquiry& inquiry) override;
     [[nodiscard]] bool has_own_scene() const override { return true; }
-    [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override { return ContestView::frame(); }
+    [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override {
+        return lesson_frame({0, 0.2, 0}, 11.2, 6, stage_->display);
+    }
 
 private:
     void courses();
@@ -33,6 +37,7 @@ private:
     void stairs_ui();
     void ledge_ui();
 
+    Stage* stage_ = nullptr;
     Contest contest_;
     ContestView look_;
 };
@@ -105,19 +110,22 @@ void SideBySidePanel::slope_ui() {
         if (preset != 10) ImGui::SameLine();
         if (ui::button(fmt::format("{}°", preset).c_str())) contest_.set_angle(preset * degree);
     }
-    table({"gap", "− skin", "closed form", ""}, [&](std::size_t i) {
+    table({"gap", "− skin", "closed form"}, [&](std::size_t i) {
         const debugger::SlopeReading& reading = contest_.slope(i);
         const double skin = reading.clearance / std::cos(contest_.angle());
         name_cell(contest_, i);
         cell(millimetres(reading.gap));
         cell(millimetres(reading.gap - skin));
         cell(millimetres(reading.expected - skin));
-        ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", formula_of_contestant(i));
     });
+    for (std::size_t i = 1; i < Contest::count; ++i) {  // a box, squarely to the slope, has the cylinder's
+        const std::string names = (i == 1 ? contest_.contestant(0).name + ", " : "") + contest_.contestant(i).name;
+        ui::note(fmt::format("{}: {}", names, formula_of_contestant(i)));
+    }
     ui::note(
-        "Millimetres, from the foot straight down. The gap is measured by a ray where the shape came to rest; the "
-        "skin of 5 mm, along the normal, is kept from everything. w is half the width, h half the height.");
+        "Millimetres, from the foot straight down; w is half the width, h half the height. The gap is measured by a "
+        "ray "
+        "where the shape came to rest. The skin, 5 mm along the normal, is kept from everything.");
 }
 
 void SideBySidePanel::clock_ui() {

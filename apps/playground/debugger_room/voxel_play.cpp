@@ -17,11 +17,11 @@ void add_floor(VoxelScene& scene) {
         for (std::int32_t z = 0; z < scene.window.cells.z; ++z) scene.solid.push_back({x, 0, z});
 }
 
-/// The model's corner, as much of it as is needed: `cells` along x and z.
-VoxelScene corner(std::int32_t cells) {
+/// The model's corner, and as much of what is around as is needed: four cells along x and z.
+VoxelScene corner(std::int32_t first) {
     VoxelScene scene = debugger::corner_scene();
-    scene.window.first = {1, 0, 1};
-    scene.window.cells = {cells, 3, cells};
+    scene.window.first = {first, 0, first};
+    scene.window.cells = {4, 3, 4};
     return scene;
 }
 
@@ -31,7 +31,7 @@ VoxelScene step_scene() {
     scene.window = {.first = {0, 0, 0}, .cells = {4, 3, 4}};
     add_floor(scene);
     for (std::int32_t x = 2; x < 4; ++x)
-        for (std::int32_t z = 0; z < 4; ++z) scene.solid.push_back({x, 1, z});
+        for (std::int32_t z = 1; z < 3; ++z) scene.solid.push_back({x, 1, z});
     scene.box = {.half_extents = {0.25, 0.75, 0.25}};
     scene.from = {1.6, 2.9, 2};
     scene.displacement = {0.7, -0.7, 0};
@@ -45,11 +45,11 @@ std::span<const VoxelStory> voxel_stories() {
         VoxelStory{"The corner",
                    "A box passes the corner of a wall slantwise. Each axis alone is free; both together "
                    "lead into a block.",
-                   corner(4), 1},
+                   corner(1), 1},
         VoxelStory{"The wall it walks through",
                    "The same move, three times in a row. What it stands in does not hold "
                    "it, so it comes out at the other side.",
-                   corner(5), 3},
+                   corner(2), 3},
         VoxelStory{"The step it falls into",
                    "It falls, and steers over the edge of a block while it does. Falling "
                    "straight down is free, and so is going sideways.",

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/scenery.hpp"
 
 namespace surefoot::playground {
@@ -16,9 +17,6 @@ using view::rgb;
 namespace paint = view::paint;
 
 constexpr view::Colour block = rgb(0x9AA7B2);
-constexpr view::Colour looked_at = paint::face;
-constexpr view::Colour stopper = paint::hit;
-constexpr view::Colour bad = rgb(0xB3122E);
 constexpr view::Colour walker = paint::accent;
 
 /// Where a place of the scene is seen: about the middle of its blocks, turned so that the box walks away from where one
@@ -67,12 +65,6 @@ view::Colour colour_of_axis(int axis) {
     return all[static_cast<std::size_t>(axis)];
 }
 
-std::pair<dvec3, double> VoxelView::frame(const VoxelPlay& play) {
-    const Cell& cells = play.story().scene.window.cells;
-    const double size = cells.x + cells.z;
-    return {dvec3(0, 1.2, 0) + rightwards * (0.33 * size), 0.53 * size};
-}
-
 void VoxelView::build(const VoxelScene& scene) {
     Scenery scenery;
     for (const bool right : {false, true}) {
@@ -113,13 +105,14 @@ void VoxelView::draw_side(view::Renderer& renderer, const VoxelPlay& play, const
         const bool stops = step != nullptr && step->stopped_by == cell;
         const bool holds_box = holds(pierced, cell);
         view::ShapeLook look{.colour = block, .opacity = 0.55, .outline = 1.2, .behind = 0.15};
-        if (stops) look = {.colour = stopper, .opacity = 0.85, .outline = 3, .behind = 0.5};
-        if (holds_box) look = {.colour = bad, .opacity = 0.30, .outline = 3, .behind = 0.5};
+        if (stops) look = {.colour = voxel_paint::stopper, .opacity = 0.85, .outline = 3, .behind = 0.5};
+        if (holds_box) look = {.colour = voxel_paint::trap, .opacity = 0.30, .outline = 3, .behind = 0.5};
         draw_cell(renderer, place.of(cell), 0, look);
     }
 
+    constexpr double a_hair = 0.004;  // that faces which touch do not flicker
     const auto box = [&](const dvec3& position, view::Colour colour, double opacity, double outline, double behind) {
-        renderer.shape(scene.box, place(position),
+        renderer.shape(Box{scene.box.half_extents - a_hair}, place(position),
                        {.colour = colour,
                         .opacity = opacity,
                         .outline = outline,
@@ -128,12 +121,16 @@ void VoxelView::draw_side(view::Renderer& renderer, const VoxelPlay& play, const
     };
     const dvec3 start = play.move_start(tale);
     if (now != start) box(start, paint::start, 0.08, 1.6, 0.3);
-    box(now, pierced.empty() ? walker : bad, 0.8, 2.5, 0.8);
+    box(now, pierced.empty() ? walker : voxel_paint::trap, 0.8, 2.5, 0.8);
     if (step != nullptr) {
         for (const Cell& cell : step->looked_at) {
             if (cell.y == 0) continue;
             draw_cell(renderer, place.of(cell), -0.04,
-                      {.colour = looked_at, .opacity = 0.18, .outline = 1.2, .behind = 0.3, .casts_shadow = false});
+                      {.colour = voxel_paint::looked_at,
+                       .opacity = 0.13,
+                       .outline = 1,
+                       .behind = 0.2,
+                       .casts_shadow = false});
         }
         // What was tried need not be what is moved: the wrong one tries from START, wherever it is by now.
         if (step->tried_from != step->moved_from) box(step->tried_to, colour_of_axis(step->axis), 0.08, 1.6, 0.6);
@@ -143,10 +140,10 @@ void VoxelView::draw_side(view::Renderer& renderer, const VoxelPlay& play, const
         renderer.arrow(place(step->tried_from + up), place(step->tried_to + up), stroke, 16);
     }
     // Titles lie before the near corner, and the rest is told above and below the box, where nothing is in the way.
-    renderer.label({.place = place({first.x, 0.5, first.z}),
-                    .text = right ? "right: each axis from where the last ended" : "wrong: all axes from START",
+    renderer.label({.place = place.offset() + dvec3(0, 0.55, 0) + eyewards * (0.68 * scene.window.cells.x),
+                    .text = right ? "right: each axis from the last" : "wrong: all axes from START",
                     .colour = right ? rgb(0x9FE0B0) : rgb(0xFFB3AA),
-                    .offset = {0, 26}});
+                    .offset = {0, 20}});
     const dvec3 half_up(0, scene.box.half_extents.y, 0);
     if (now != start)
         renderer.label({.place = place(start - half_up), .text = "START", .colour = rgb(0xFFB3AA), .offset = {0, 26}});

@@ -2,21 +2,23 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 
 #include "playground/debugger_room/voxel_play.hpp"
 #include "view/renderer.hpp"
 
 namespace surefoot::playground {
 
+namespace voxel_paint {
+inline constexpr view::Colour looked_at = view::paint::face;
+inline constexpr view::Colour stopper = view::paint::hit;
+inline constexpr view::Colour trap = view::rgb(0xB3122E);  ///< what it stands in
+}  // namespace voxel_paint
+
 [[nodiscard]] view::Colour colour_of_axis(int axis);
 
 class VoxelView {
 public:
     void draw(view::Renderer& renderer, const VoxelPlay& play);
-
-    /// What a camera should look at, as a ball. It lies to the right of it all, for there a panel is in the way.
-    [[nodiscard]] static std::pair<dvec3, double> frame(const VoxelPlay& play);
 
 private:
     void build(const debugger::VoxelScene& scene);

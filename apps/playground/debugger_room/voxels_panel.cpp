@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "playground/debugger_room/voxel_play.hpp"
 #include "playground/debugger_room/voxel_view.hpp"
@@ -15,18 +16,20 @@ namespace ui = view::ui;
 class VoxelsPanel final : public Panel {
 public:
     [[nodiscard]] std::string_view name() const override { return "Voxels"; }
+    void enter(Stage& stage) override { stage_ = &stage; }
     void changed(const Inquiry& /*inquiry*/) override {}
     bool update(double dt, Inquiry& /*inquiry*/) override { return play_.update(dt); }
     void draw(view::Renderer& renderer, const Inquiry& /*inquiry*/) override { look_.draw(renderer, play_); }
     void ui(Inquiry& inquiry) override;
     [[nodiscard]] bool has_own_scene() const override { return true; }
     [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override {
-        return VoxelView::frame(play_);
+        return lesson_frame({0, 1.3, 0}, 12.2, 6, stage_->display);
     }
 
 private:
     void told(const char* title, const VoxelTale& tale) const;
 
+    Stage* stage_ = nullptr;
     VoxelPlay play_;
     VoxelView look_;
 };
@@ -73,9 +76,9 @@ void VoxelsPanel::ui(Inquiry& /*inquiry*/) {
     told("Wrong", play_.wrong());
     told("Right", play_.right());
     ImGui::Separator();
-    ui::key_colour(view::paint::face, "cells that were looked at");
-    ui::key_colour(view::paint::hit, "the block that stopped it");
-    ui::key_colour(view::paint::start, "a block that it stands in");
+    ui::key_colour(voxel_paint::looked_at, "cells that were looked at");
+    ui::key_colour(voxel_paint::stopper, "the block that stopped it");
+    ui::key_colour(voxel_paint::trap, "a block that it stands in");
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine();
         ui::key_colour(colour_of_axis(axis), fmt::format("along {}", "xyz"[axis]));
