@@ -162,6 +162,8 @@ void ContestView::draw(view::Renderer& renderer, const Contest& contest) {
     view::EdgeLook edges{.width = 1.2};
     edges.kinds[static_cast<std::size_t>(EdgeKind::flat)] = view::with_opacity(paint::ink, 0);
     renderer.model(model_, {.edges = edges});
+    // Where names would run into each other, every other one stands higher.
+    const bool staggered = contest.course() == Course::stairs || !has_room_for_words(renderer.view());
     for (std::size_t i = 0; i < Contest::count; ++i) {
         const view::Colour colour = colour_of_contestant(i);
         const auto place = [&](const dvec3& p) { return placed(contest, i, p); };
@@ -170,7 +172,7 @@ void ContestView::draw(view::Renderer& renderer, const Contest& contest) {
         renderer.label({.place = place(contest.foot(i) + dvec3(0, 2 * half_height, 0)),
                         .text = contest.contestant(i).name,
                         .colour = view::mixed(colour, paint::paper, 0.45),
-                        .offset = {0, -18}});
+                        .offset = {0, staggered && i % 2 == 1 ? -42 : -18}});
         if (contest.course() == Course::slope) draw_slope_reading(renderer, contest, i);
         if (contest.course() == Course::ledge) draw_overhang(renderer, contest, i);
         std::vector<dvec3> prints = contest.footprints(i);

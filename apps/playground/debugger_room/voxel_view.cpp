@@ -26,7 +26,7 @@ public:
     Placing(const VoxelScene& scene, bool right) {
         const VoxelWindow& window = scene.window;
         middle_ = dvec3(window.first.x, 0, window.first.z) + dvec3(window.cells.x, 0, window.cells.z) * 0.5;
-        const double apart = (window.cells.x + window.cells.z) * 0.35;
+        const double apart = (window.cells.x + window.cells.z) * 0.375;
         offset_ = rightwards * (right ? apart : -apart);
     }
 

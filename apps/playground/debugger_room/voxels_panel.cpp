@@ -23,7 +23,7 @@ public:
     void ui(Inquiry& inquiry) override;
     [[nodiscard]] bool has_own_scene() const override { return true; }
     [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override {
-        return lesson_frame({0, 1.3, 0}, 12.2, 6, stage_->display);
+        return lesson_frame({0, 1.3, 0}, 12.8, 6, stage_->display);
     }
 
 private:
