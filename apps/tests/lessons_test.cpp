@@ -345,8 +345,13 @@ TEST(Lessons, are_pictures_in_a_small_window_too) {
     {
         Show show(make_side_by_side_panel(), {800, 600});
         show.photo("slope-800");
+        show.play("click \"Ledge\"\nwait 1\nclick \"Each where it has sunk 5 cm\"\nmove 5 590");
+        show.photo("ledge-800");
     }
     Show show(make_voxels_panel(), {800, 600});
+    show.play("click \"Next\"\nmove 5 590");
+    show.pass(60);
+    show.play("wait 1");
     show.photo("voxels-800");
 }
 

@@ -110,9 +110,9 @@ void draw_overhang(view::Renderer& renderer, const Contest& contest, std::size_t
     const dvec3 edge(0, foot.y, 0);
     const auto place = [&](const dvec3& p) { return ContestView::placed(contest, i, p); };
     draw_measure(renderer, place(edge), place(foot), {0, 0.08, 0});
-    if (contest.shows_sunk())
+    if (contest.shows_sunk() && has_room_for_words(renderer.view()))  // else the table tells
         renderer.label({.place = place({foot.x, foot.y, half_lane}),
-                        .text = fmt::format("{:.0f} mm out", foot.x * 1e3),
+                        .text = fmt::format("{:.0f} mm", foot.x * 1e3),
                         .colour = paint::contact,
                         .offset = {30, 22}});
 }

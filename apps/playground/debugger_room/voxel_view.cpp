@@ -141,9 +141,9 @@ void VoxelView::draw_side(view::Renderer& renderer, const VoxelPlay& play, const
     }
     // Titles lie before the near corner, and the rest is told above and below the box, where nothing is in the way.
     renderer.label({.place = place.offset() + dvec3(0, 0.55, 0) + eyewards * (0.68 * scene.window.cells.x),
-                    .text = right ? "right: each axis from the last" : "wrong: all axes from START",
+                    .text = right ? "right: each axis\nfrom the last" : "wrong: all axes\nfrom START",
                     .colour = right ? rgb(0x9FE0B0) : rgb(0xFFB3AA),
-                    .offset = {0, 20}});
+                    .offset = {0, 26}});
     const dvec3 half_up(0, scene.box.half_extents.y, 0);
     if (now != start)
         renderer.label({.place = place(start - half_up), .text = "START", .colour = rgb(0xFFB3AA), .offset = {0, 26}});
