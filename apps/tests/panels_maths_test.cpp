@@ -107,6 +107,10 @@ private:
             stand.distance = seen->second;
         }
         camera.jump_to(stand);
+        // What is looked at stands in the middle of what the panel leaves free.
+        const view::Camera seen = camera.camera();
+        stand.pivot += seen.right() * (seen.unit_at(stand.distance, display_->size()) * 215);
+        camera.jump_to(stand);
     }
 
     void frame() {
@@ -227,7 +231,7 @@ TEST(MathematicsPanel, of_a_box_is_a_table_of_planes_and_there_is_no_world_besid
     static_cast<void>(studio.photo("mathematics-box"));
 }
 
-TEST(MathematicsPanel, fits_a_small_window_and_a_level) {
+TEST(MathematicsPanel, fits_a_small_window) {
     Studio small(make_mathematics_panel(), debugger::default_question(WorldKind::fold), ivec2(800, 600));
     static_cast<void>(small.photo("mathematics-small"));
 }

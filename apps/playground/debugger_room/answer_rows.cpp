@@ -25,6 +25,13 @@ std::string roots_text(const debugger::Roots& roots) {
     return fmt::format("t = {}, {}. ", short_text(roots.lower), short_text(roots.upper));
 }
 
+/// Is this plane a reason for the answer, or against one?
+bool bears_on(const debugger::PlaneRow& plane) {
+    if (plane.verdict == Verdict::enters || plane.verdict == Verdict::leaves)
+        return plane.t && *plane.t >= 0 && *plane.t <= 1;
+    return plane.verdict != Verdict::inside;
+}
+
 std::string sentence(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
@@ -51,14 +58,14 @@ std::vector<AnswerRow> rows_of(const debugger::PlaneTable& table) {
                                                                           : Feature::face;
         rows.push_back({plane.proposed_by,
                         fmt::format("gap {} to {} m", short_text(plane.gap_from), short_text(plane.gap_to)),
-                        (plane.t ? fmt::format("t = {}. ", short_text(*plane.t)) : "") + sentence(plane.why),
-                        colour_of(feature), plane.verdict != Verdict::inside, plane.answer});
+                        sentence(plane.why), colour_of(feature), bears_on(plane), plane.answer});
     }
     return rows;
 }
 
 std::optional<std::size_t> answer_rows(const std::vector<AnswerRow>& rows, std::optional<std::size_t>& pinned) {
     std::optional<std::size_t> hovered;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float letter = ImGui::GetFontSize();
     const float line = ImGui::GetTextLineHeight();
@@ -92,6 +99,7 @@ std::optional<std::size_t> answer_rows(const std::vector<AnswerRow>& rows, std::
         list.AddText(plain, small, {left, corner.y + line}, view::packed(quiet), row.became.c_str(), nullptr, wrap);
         ImGui::PopID();
     }
+    ImGui::PopStyleVar();
     return hovered ? hovered : pinned;
 }
 

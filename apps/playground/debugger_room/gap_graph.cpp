@@ -1,6 +1,7 @@
 #include "playground/debugger_room/gap_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
@@ -58,7 +59,7 @@ void moment(ImDrawList& list, const GraphFrame& frame, double t, view::Colour co
 void gap_graph(const debugger::GapCurve& curve, double& t) {
     const float letter = ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 8 * letter), 10.5F * letter);
+    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 8 * letter), 9.6F * letter);
     ImGui::InvisibleButton("##graph", size);
     view::ui::item("Graph of g(t)");
     const double line = letter;
@@ -78,7 +79,7 @@ void gap_graph(const debugger::GapCurve& curve, double& t) {
     }
     if (curve.t_star)
         list.AddCircleFilled(place(frame.at(*curve.t_star, curve.g_at_t_star)), 4.5F, view::packed(paint::hit));
-    const double g = curve_at(curve.samples, t);
+    const double g = t == curve.t_star ? curve.g_at_t_star : curve_at(curve.samples, t);
     list.AddCircleFilled(place(frame.at(t, g)), 5, view::packed(paint::paper));
     list.AddCircleFilled(place(frame.at(t, g)), 3.5F, view::packed(paint::accent));
     // Words have the line above the plot to themselves.
@@ -86,7 +87,8 @@ void gap_graph(const debugger::GapCurve& curve, double& t) {
     write(list, {corner.x, corner.y}, {0, 0}, paint::paper, metres ? "g [m]" : "g [radii]");
     write(list, {corner.x + 0.44 * size.x, corner.y}, {0.5, 0}, paint::hit,
           curve.t_star ? "t* = " + short_text(*curve.t_star) : "no hit");
-    write(list, {frame.high.x, corner.y}, {1, 0}, view::rgb(0x7FD8C8), fmt::format("g({:.3f}) = {}", t, short_text(g)));
+    write(list, {frame.high.x, corner.y}, {1, 0}, view::rgb(0x7FD8C8),
+          fmt::format("g({:.3f}) = {}", t, short_text(std::abs(g) < 1e-9 ? 0 : g)));
 }
 
 }  // namespace surefoot::playground

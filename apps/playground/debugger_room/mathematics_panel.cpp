@@ -176,12 +176,15 @@ void MathematicsPanel::ui(Inquiry& inquiry) {
     }
     if (subjects_.size() > 1) subject_ui(inquiry);
     squash_ui();
-    if (ui::section("Candidates")) table_ui(inquiry);
-    if (ui::section("Gap over time")) {
+    if (ui::section("The gap g(t)")) {
         gap_graph(curve_, inquiry.t);
         ui::hint(curve_.method);
         ui::slider("t", inquiry.t, 0, 1, "%.4f");
     }
+    if (ui::section(method_ ? "Seven candidates" : "Planes that were tried"))
+        table_ui(inquiry);
+    else
+        lit_.reset();
 }
 
 void MathematicsPanel::subject_ui(const Inquiry& inquiry) {
@@ -204,15 +207,22 @@ void MathematicsPanel::squash_ui() {
     if (!beside_) return;
     const bool out = goal_ ? *goal_ == 1 : s_ == 1;
     ImGui::SameLine();
-    if (ui::button(out ? "Unsquash" : "Squash", 90)) goal_ = out ? 0 : 1;
-    if (ui::slider("Squashing", s_, 0, 1)) goal_.reset();
+    if (ui::button(out ? "Unsquash" : "Squash", 84)) goal_ = out ? 0 : 1;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const double low = 0;
+    const double high = 1;
+    if (ImGui::SliderScalar("##squashing", ImGuiDataType_Double, &s_, &low, &high, "s = %.2f",
+                            ImGuiSliderFlags_AlwaysClamp))
+        goal_.reset();
+    ui::item("Squashing");
 }
 
 void MathematicsPanel::table_ui(const Inquiry& inquiry) {
-    lit_ = answer_rows(rows_, pinned_);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((method_ ? method_->conclusion : planes_.conclusion).c_str());
     ImGui::PopTextWrapPos();
+    lit_ = answer_rows(rows_, pinned_);
     if (!method_) return;
     if (ui::checkbox("Larger root (wrong on purpose)", larger_root_)) take_apart(inquiry);
     ui::hint("The classic mistake: the larger root is where the ball ceases to touch, not where it begins to.");

@@ -75,7 +75,8 @@ void StrategiesPanel::draw(view::Renderer& renderer, const Inquiry& inquiry) {
         const double opacity = sample.looked ? 0.9 : 0.35;
         const bool first = sample.touches && !found;
         found = found || sample.touches;
-        if (outlines || first)
+        const bool at_end = sample.position == inquiry.question.motion.to;  // the room draws END itself
+        if (first || (outlines && !at_end))
             renderer.shape(volume, sample.position,
                            {.colour = view::with_opacity(colour, opacity),
                             .opacity = sample.touches ? 0.16 : 0.04,
@@ -91,7 +92,7 @@ void StrategiesPanel::ui(Inquiry& inquiry) {
         return;
     }
     finding_ui("Static", paint::end, at_end_);
-    finding_ui("Iterative", paint::start, at_samples_);
+    finding_ui("Iterative", paint::paper, at_samples_);
     finding_ui("Analytic", paint::hit, solved_);
     ImGui::Separator();
     pace_ui(inquiry);
@@ -99,11 +100,11 @@ void StrategiesPanel::ui(Inquiry& inquiry) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(tunnelling_.text.c_str());
     ImGui::PopTextWrapPos();
-    if (tunnelling_.begins_above && tunnelling_.always_above)
-        ui::note(
-            fmt::format("With a step of up to {} m nothing is missed. Above {} m every sample but END is beyond "
-                        "it. Between them it is luck.",
-                        short_text(*tunnelling_.begins_above), short_text(*tunnelling_.always_above)));
+    if (tunnelling_.begins_above)
+        ui::note(fmt::format("A step of up to {} m misses nothing.", short_text(*tunnelling_.begins_above)));
+    if (tunnelling_.always_above)
+        ui::note(fmt::format("One above {} m misses it always; between, it is luck.",
+                             short_text(*tunnelling_.always_above)));
 }
 
 void StrategiesPanel::finding_ui(const char* title, view::Colour colour, const debugger::Finding& finding) {
