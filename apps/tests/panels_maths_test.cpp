@@ -197,16 +197,46 @@ TEST(MathematicsPanel, shows_the_squashed_world_and_scrubs_t_by_dragging_on_the_
     EXPECT_LT(early, 0.5);
 }
 
-TEST(MathematicsPanel, a_row_that_is_pinned_lights_its_feature_in_the_world) {
+TEST(MathematicsPanel, a_row_lights_its_feature_in_both_worlds_while_it_is_pointed_at_or_pinned) {
     for (const char* const row : {"edge ca", "interior", "vertex b"}) {
         Studio studio(make_mathematics_panel(), debugger::default_question(WorldKind::triangle));
-        const view::Picture before = studio.photo();
-        const std::size_t shapes = studio.renderer().counts().shapes;
+        const auto seen = [&] {
+            const view::FrameCounts& counts = studio.renderer().counts();
+            return std::pair(counts.shapes, counts.lines);
+        };
+        const dvec2 away(5, 5);
+        studio.move(away);
+        studio.frames(1);
+        const auto dark = seen();
+        const auto place = view::ui::find_item(row);
+        ASSERT_TRUE(place) << row;
+        studio.move(*place);
+        studio.frames(1);
+        const auto lit = seen();
+        EXPECT_EQ(lit.first, dark.first + (row[0] == 'v' ? 2 : 0)) << row;
+        EXPECT_GT(lit.second, dark.second) << row;
+        studio.move(away);
+        studio.frames(1);
+        EXPECT_EQ(seen(), dark) << row;
         studio.click(row);
-        studio.move({5, 5});
-        EXPECT_FALSE(same(before, studio.photo(std::string("mathematics-") + row[0]))) << row;
-        EXPECT_EQ(studio.renderer().counts().shapes, shapes + (row[0] == 'v' ? 2 : 0));
+        studio.move(away);
+        studio.photo(std::string("mathematics-") + row[0]);
+        EXPECT_EQ(seen(), lit) << row;
+        studio.click(row);
+        studio.move(away);
+        studio.frames(1);
+        EXPECT_EQ(seen(), dark) << row;
     }
+}
+
+TEST(MathematicsPanel, the_larger_root_moves_the_answer_of_the_table_and_not_the_librarys) {
+    Studio studio(make_mathematics_panel(), debugger::default_question(WorldKind::triangle));
+    const view::Picture right = studio.photo();
+    studio.click("Larger root (wrong on purpose)");
+    studio.move({5, 5});
+    EXPECT_FALSE(same(right, studio.photo("mathematics-wrong-root")));
+    ASSERT_TRUE(studio.inquiry().hit);
+    EXPECT_NEAR(studio.inquiry().hit->t, 0.4711, 1e-4);
 }
 
 TEST(MathematicsPanel, squashing_plays_back_to_the_world_as_it_is_and_comes_to_rest) {

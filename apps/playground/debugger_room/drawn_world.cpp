@@ -28,7 +28,8 @@ Bounds bounds_in(const DrawnWorld& world, const Motion& motion, std::span<const 
     Bounds bounds = both(debugger::bounds_of(world.volume, world.point(motion.from)),
                          debugger::bounds_of(world.volume, world.point(motion.to)));
     for (const Triangle& t : triangles)
-        for (const dvec3& corner : {t.a, t.b, t.c}) bounds = both(bounds, {world.point(corner), world.point(corner)});
+        for (const dvec3& corner : {t.a, t.b, t.c})
+            bounds = both(bounds, debugger::bounds_of(world.volume, world.point(corner)));
     return bounds;
 }
 

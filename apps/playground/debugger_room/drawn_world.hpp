@@ -24,7 +24,8 @@ struct DrawnWorld {
 /// At `s`, 0 the world and 1 squashed space, about START. Requires: a sphere or an ellipsoid, 0 <= s <= 1.
 [[nodiscard]] DrawnWorld world_beside(const Volume& volume, const Motion& motion, double s, const dvec3& offset);
 
-/// Everything of the question in a world: the shape at START and at END, and the triangles.
+/// Everything of the question in a world: the shape at START and at END, the triangles, and what is lit around them,
+/// which reaches as far as the shape would at each corner.
 [[nodiscard]] Bounds bounds_in(const DrawnWorld& world, const Motion& motion, std::span<const Triangle> triangles);
 
 /// Where the world beside has to stand so that at no `s` it meets the real one: along +X, or above the level. The same

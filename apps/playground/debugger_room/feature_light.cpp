@@ -41,7 +41,7 @@ void light_interior(view::Renderer& renderer, const DrawnWorld& world, const Vol
     // The plane goes on beyond the triangle, which is what the candidate has to be careful about.
     const dvec3 middle = (t.a + t.b + t.c) / 3.0;
     std::vector<dvec3> wide;
-    for (const dvec3& corner : corners) wide.push_back(world.point(middle + (corner - middle) * 1.5 + lift));
+    for (const dvec3& corner : corners) wide.push_back(world.point(middle + (corner - middle) * 1.25 + lift));
     renderer.polyline(wide, {.colour = view::with_opacity(colour, 0.6), .width = 1.2, .behind = 0.3}, true);
 }
 

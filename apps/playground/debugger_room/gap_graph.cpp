@@ -37,7 +37,9 @@ void axes(ImDrawList& list, const GraphFrame& frame) {
         list.AddLine(place(at), place(frame.at(1, g)),
                      view::packed(g == 0 ? view::with_opacity(paint::paper, 0.75) : view::rgb(0xFFFFFF, 0.07)),
                      g == 0 ? 1.5F : 1.0F);
-        write(list, at - dvec2(6, 0), {1, 0.5}, g == 0 ? paint::paper : quiet, fmt::format("{:g}", g));
+        const double half = ImGui::GetFontSize() * 0.4;  // clear of the words above and below
+        if (at.y - half > frame.low.y && at.y + half < frame.high.y)
+            write(list, at - dvec2(6, 0), {1, 0.5}, g == 0 ? paint::paper : quiet, fmt::format("{:g}", g));
     }
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const dvec2 at(frame.at(t, 0).x, frame.high.y);
