@@ -27,6 +27,8 @@ public:
     [[nodiscard]] std::optional<double> drop(const dvec3& point, double farthest) const;
     /// All triangles that may have something to do with a motion.
     [[nodiscard]] std::vector<Triangle> along(const Volume& volume, const Motion& motion) const;
+    /// The level, or null for a few triangles.
+    [[nodiscard]] const Mesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
 
 private:
     std::vector<Triangle> triangles_;
