@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "playground/debugger_room/room.hpp"
 #include "playground/room.hpp"
 #include "playground/walk/walk.hpp"
 
@@ -9,6 +10,9 @@ namespace surefoot::playground {
 
 std::span<const RoomCard> rooms() {
     static const std::array cards{
+        RoomCard{"debugger", "Debugger",
+                 "One question, taken by the hand: move START, END or a corner, and see what stops the motion.",
+                 make_debugger},
         RoomCard{"walk", "Walk",
                  "Any level: look at its tree, its edges and its faults, measure it, throw shapes at it.", make_walk}};
     return cards;

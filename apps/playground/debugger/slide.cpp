@@ -14,7 +14,7 @@ Slid slide(const Arena& arena, const Volume& volume, const dvec3& from, const dv
         if (length == 0) break;
         const dvec3 direction = rest / length;
         const double looked = length + 2 * settings.skin;
-        const auto hit = arena.sweep(volume, {slid.position, slid.position + direction * looked});
+        const auto hit = arena.sweep(volume, {slid.position, slid.position + direction * looked}, settings.one_sided);
         if (hit && hit->status != HitStatus::ok) break;
         const double approach = hit ? -glm::dot(direction, hit->normal) : 0;
         const double go = approach > 0 ? std::max(0.0, hit->t * looked - settings.skin / approach) : length;

@@ -18,6 +18,7 @@ struct SlideSettings {
     double gravity = 9.81;         ///< [m/s^2]
     double tick = 1.0 / 60;        ///< [s]
     double flattest_ground = 0.5;  ///< a normal that points up by at least this is ground, and ends a fall
+    bool one_sided = false;        ///< triangles exist for what comes from their front only
 };
 
 /// Where a move ended.

@@ -1,0 +1,89 @@
+/// The question that is being asked, with the history of its edits, the world it is asked of, and the answer, which
+/// follows every edit.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <surefoot/mesh.hpp>
+#include <surefoot/query.hpp>
+
+#include "debugger/arena.hpp"
+#include "debugger/history.hpp"
+#include "debugger/question.hpp"
+#include "debugger/slide.hpp"
+#include "playground/debugger_room/saved_moment.hpp"
+#include "playground/level_loader.hpp"
+
+namespace surefoot::playground {
+
+class Investigation {
+public:
+    Investigation();
+
+    [[nodiscard]] const debugger::Question& question() const { return history_.now(); }
+    [[nodiscard]] const debugger::History& history() const { return history_; }
+    [[nodiscard]] const debugger::Arena& arena() const { return arena_; }
+    [[nodiscard]] const std::optional<Hit>& hit() const { return hit_; }
+
+    /// Is there a hit with a point and a normal?
+    [[nodiscard]] bool touches() const { return hit_ && hit_->status == HitStatus::ok; }
+    [[nodiscard]] dvec3 place_at(double t) const;
+    /// What was hit. Requires: `touches()`.
+    [[nodiscard]] Triangle triangle_hit() const;
+    /// Where the textbook's slide would leave the shape, and what turned it aside.
+    [[nodiscard]] const debugger::Slid& result() const { return result_; }
+
+    /// The world in floats, for rays of the eye and for drawing; none while its corners are no numbers.
+    [[nodiscard]] const std::optional<Mesh>& mesh() const { return mesh_; }
+    /// None for a few triangles.
+    [[nodiscard]] const LevelLoader::Loaded& level() const { return level_; }
+
+    /// Other numbers after every change: of anything, and of the world.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    [[nodiscard]] std::uint64_t world_version() const { return world_version_; }
+
+    void apply(const debugger::Edit& edit);
+    void begin_drag() { history_.begin_drag(); }
+    void end_drag() { history_.end_drag(); }
+    void undo();
+    void redo();
+
+    /// One of the worlds of a few triangles, with its own question.
+    void choose_world(debugger::WorldKind world);
+    /// A level, with a question that crosses it. It is kept, for undo.
+    void show(const LevelLoader::Loaded& level);
+    void show(const Moment& moment);
+    /// The saved moment, while the question is still its own.
+    [[nodiscard]] const std::optional<Moment>& moment() const { return moment_; }
+
+    /// How a level is searched: by its tree, or by asking every triangle.
+    [[nodiscard]] Search search() const { return search_; }
+    void choose_search(Search search);
+    /// The tree's answer, when every triangle was asked.
+    [[nodiscard]] const std::optional<Hit>& by_tree() const { return by_tree_; }
+
+    /// The question and its answer with the triangles near the way.
+    [[nodiscard]] Capture capture() const;
+
+private:
+    void follow(bool other_world);
+    void ask();
+
+    debugger::History history_;
+    debugger::Arena arena_;
+    std::optional<Mesh> mesh_;
+    LevelLoader::Loaded level_;
+    std::map<std::string, LevelLoader::Loaded> levels_;  // that were open, by file
+    std::optional<Hit> hit_;
+    std::optional<Hit> by_tree_;
+    debugger::Slid result_;
+    std::optional<Moment> moment_;
+    Search search_ = Search::tree;
+    std::uint64_t version_ = 0;
+    std::uint64_t world_version_ = 0;
+};
+
+}  // namespace surefoot::playground

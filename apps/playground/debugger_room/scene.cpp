@@ -1,0 +1,197 @@
+#include "playground/debugger_room/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "debugger/support.hpp"
+#include "playground/walk/thrower.hpp"
+#include "view/shapes.hpp"
+
+namespace surefoot::playground {
+namespace {
+
+using debugger::Question;
+using view::dvec2;
+using view::Renderer;
+using view::rgb;
+namespace paint = view::paint;
+
+constexpr view::Colour ground = rgb(0xB9B4A6);
+constexpr view::Colour second_ground = rgb(0xA3ADB0);
+constexpr std::array axis_colours{rgb(0xD6584C), rgb(0x63A84E), rgb(0x4A86D8)};
+// From this share of the way on, two places count as different moments.
+constexpr double same_moment = 1e-6;
+
+/// A label over or under a shape, clear of its outline.
+void name(Renderer& renderer, const Volume& volume, const dvec3& place, const std::string& text, view::Colour colour,
+          bool above) {
+    const Bounds box = debugger::bounds_of(volume, place);
+    const dvec3 middle = (box.min + box.max) * 0.5;
+    renderer.label({.place = {middle.x, above ? box.max.y : box.min.y, middle.z},
+                    .text = text,
+                    .colour = view::mixed(colour, paint::paper, 0.55),
+                    .offset = dvec2(0, above ? -15 : 15),
+                    .behind = 0.8});
+}
+
+void draw_contact(Renderer& renderer, const Investigation& asked) {
+    const Hit& hit = *asked.hit();
+    draw_feature(renderer, asked.triangle_hit(), hit);
+    const double length = std::max(view::reach_of(asked.question().volume().shape) * 0.9, 1e-6);
+    renderer.arrow(hit.point, hit.point + hit.normal * length, {.colour = paint::normal, .width = 3, .behind = 0.5},
+                   14);
+    renderer.point(hit.point, 11, paint::contact, 0.8);
+}
+
+void draw_way(Renderer& renderer, const dvec3& from, const dvec3& to, view::Colour colour) {
+    if (glm::length(to - from) > 0) renderer.arrow(from, to, {.colour = colour, .width = 2.5, .behind = 0.35}, 14);
+}
+
+/// The part of the way that was not gone, in dashes.
+void draw_rest(Renderer& renderer, const dvec3& from, const dvec3& to) {
+    constexpr int dashes = 24;
+    for (int i = 0; i < dashes; ++i)
+        renderer.line(from + (to - from) * (double(i) / dashes), from + (to - from) * ((i + 0.5) / dashes),
+                      {.colour = view::with_opacity(paint::end, 0.6), .width = 1.5, .behind = 0.2});
+}
+
+void name_triangles(Renderer& renderer, const Question& question) {
+    constexpr std::size_t most_named = 12;
+    const auto say = [&](const dvec3& place, std::string text, const dvec2& offset) {
+        renderer.label({.place = place, .text = std::move(text), .offset = offset, .behind = 0.5});
+    };
+    if (question.triangles.size() == 1) {
+        const char* names[] = {"a", "b", "c"};
+        for (std::size_t i = 0; i < 3; ++i) say(debugger::corners_of(question.triangles[0])[i], names[i], dvec2(0, 17));
+    } else if (question.triangles.size() <= most_named) {
+        for (std::size_t i = 0; i < question.triangles.size(); ++i) {
+            const Triangle& t = question.triangles[i];
+            say((t.a + t.b + t.c) / 3.0, std::to_string(i), dvec2(0, 0));
+        }
+    }
+}
+
+}  // namespace
+
+void Scene::draw_world(Renderer& renderer, const Investigation& asked) {
+    if (model_is_ != asked.world_version()) {
+        model_is_ = asked.world_version();
+        model_ = nullptr;
+        const auto& level = asked.level();
+        if (asked.mesh())
+            model_ = view::Model::make(*asked.mesh(), [&](const SourceTriangle& t) {
+                if (level) return view::colour_of_surface(t.surface, tools::surface_name(level->level, t.surface));
+                return t.id % 2 == 0 ? ground : second_ground;
+            });
+    }
+    if (!model_) return;
+    view::ModelLook model_look;
+    const bool few = !asked.level();
+    if (few || renderer.effects.fine_edges) model_look.edges.width = few ? 1.6 : 1;
+    renderer.model(model_, model_look);
+}
+
+void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
+    draw_world(renderer, asked);
+    const Question& question = asked.question();
+    if (look.labels) name_triangles(renderer, question);
+    const Volume volume = question.volume();
+    const Motion& way = question.motion;
+    const dvec3 middle = gizmo_middle({.kind = Target::Kind::start}, question) - way.from;
+    if (!is_valid(volume)) {
+        if (look.ways) draw_way(renderer, way.from, way.to, paint::start);
+        return;
+    }
+    const auto& hit = asked.hit();
+    const bool touches = asked.touches();
+    if (look.contact && touches) draw_contact(renderer, asked);
+    if (look.start) {
+        renderer.shape(volume, way.from, {.colour = paint::start, .opacity = 0.30});
+        if (look.labels) name(renderer, volume, way.from, "START", paint::start, true);
+    }
+    if (look.end) {
+        renderer.shape(volume, way.to, {.colour = paint::end, .opacity = 0.24, .casts_shadow = false});
+        if (look.labels) name(renderer, volume, way.to, "END", paint::end, true);
+    }
+    const dvec3 stop = hit ? asked.place_at(hit->t) : way.to;
+    const dvec3& rest = asked.result().position;
+    const bool slides = hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
+    if (look.hit && hit) {
+        renderer.shape(volume, stop, {.colour = paint::hit, .opacity = 0.46, .outline = 2.4});
+        if (look.labels) name(renderer, volume, stop, fmt::format("HIT  t = {:.4f}", hit->t), paint::hit, true);
+    }
+    if (look.result && slides) {
+        renderer.shape(volume, rest, {.colour = paint::result, .opacity = 0.2, .outline = 1.6, .casts_shadow = false});
+        if (look.labels) name(renderer, volume, rest, "RESULT (textbook slide)", paint::result, false);
+    }
+    if (look.ways) {
+        draw_way(renderer, way.from + middle, stop + middle, hit ? paint::hit : paint::end);
+        if (hit) draw_rest(renderer, stop + middle, way.to + middle);
+        if (slides) draw_way(renderer, stop + middle, rest + middle, paint::result);
+    }
+    const auto is_shown = [&](double moment) { return std::abs(moment - t) < same_moment; };
+    if (is_shown(0) || is_shown(1) || (hit && is_shown(hit->t))) return;
+    renderer.shape(volume, asked.place_at(t),
+                   {.colour = paint::paper, .opacity = 0.05, .outline = 1.6, .casts_shadow = false});
+    if (look.labels) name(renderer, volume, asked.place_at(t), fmt::format("t = {:.4f}", t), paint::paper, false);
+}
+
+void Scene::draw_grips(Renderer& renderer, const Question& question, const std::optional<Target>& selected,
+                       const std::optional<Grip>& hovered) const {
+    const view::FrameView& view = renderer.view();
+    for (const Grip& grip : grips_of(question, selected, view.camera, view.size)) {
+        const bool lit = hovered && hovered->is_same(grip);
+        switch (grip.kind) {
+            case Grip::Kind::body:
+                if (lit) {
+                    const auto colour = grip.target.kind == Target::Kind::start ? paint::start : paint::end;
+                    renderer.shape(grip.volume, grip.place,
+                                   {.colour = colour, .opacity = 0.12, .outline = 3.5, .casts_shadow = false});
+                }
+                break;
+            case Grip::Kind::corner:
+                renderer.point(grip.handle, lit ? 15 : 10, lit ? paint::contact : paint::paper, 0.5);
+                renderer.point(grip.handle, lit ? 9 : 6, paint::ink, 0.4);
+                break;
+            case Grip::Kind::face:
+                renderer.point(grip.handle, lit ? 15 : 10, lit ? paint::contact : paint::paper, 0.6);
+                renderer.point(grip.handle, lit ? 10 : 7, axis_colours[static_cast<std::size_t>(grip.axis)], 0.6);
+                break;
+            case Grip::Kind::arrow:
+                renderer.arrow(gizmo_middle(grip.target, question), grip.handle,
+                               {.colour = lit ? paint::contact : axis_colours[static_cast<std::size_t>(grip.axis)],
+                                .width = lit ? 5.0 : 3.5,
+                                .behind = 0.7},
+                               18);
+                break;
+        }
+    }
+    if (selected && selected->kind != Target::Kind::corner && is_valid(question.volume()))
+        renderer.box(box_around(*selected, question),
+                     {.colour = view::with_opacity(paint::paper, 0.55), .width = 1.2, .behind = 0.3});
+}
+
+Bounds extent_of(const Investigation& asked) {
+    const Question& question = asked.question();
+    // Of a shape that is none, the places are all that can be seen.
+    const Volume volume = is_valid(question.volume()) ? question.volume() : Volume(Sphere{1});
+    Bounds all = debugger::bounds_of(volume, question.motion.from);
+    const auto include = [&](const dvec3& low, const dvec3& high) {
+        all.min = glm::min(all.min, low);
+        all.max = glm::max(all.max, high);
+    };
+    const Bounds end = debugger::bounds_of(volume, question.motion.to);
+    include(end.min, end.max);
+    constexpr std::size_t few = 64;
+    if (question.triangles.size() <= few)
+        for (const Triangle& triangle : question.triangles)
+            for (const dvec3& corner : debugger::corners_of(triangle)) include(corner, corner);
+    return all;
+}
+
+}  // namespace surefoot::playground
