@@ -127,6 +127,8 @@ bool App::frame() {
     if (change_room_) {
         change_room_ = false;
         if (room_) room_->leave();
+        room_.reset();
+        stage_->forget_pending();  // what still comes would call into a room that is gone
         const RoomCard* const card = find_room(wanted_room_);
         room_id_ = card != nullptr ? std::string(card->id) : std::string();
         room_ = card != nullptr ? card->make() : make_start_screen([this](std::string_view id) { go_to(id); });
