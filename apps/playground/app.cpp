@@ -92,21 +92,29 @@ void App::fail(ExitCode code, const std::string& text) {
     quit_ = true;
 }
 
-ExitCode App::run() {
-    if (!options_.script.empty()) {
-        auto script = view::read_script(options_.script);
+/// All of them before the first is played, so that a mistake in the last is told at once.
+bool App::read_scripts() {
+    for (const std::string& path : options_.scripts) {
+        auto script = view::read_script(path);
         if (!script) {
             fail(script.error().code == ErrorCode::not_found ? ExitCode::file : ExitCode::usage, script.error().text);
-            return code_;
+            return false;
         }
-        play(std::move(*script));
+        scripts_.push_back(std::move(*script));
     }
+    std::reverse(scripts_.begin(), scripts_.end());
+    return true;
+}
+
+ExitCode App::run() {
+    if (!read_scripts()) return code_;
     // Who ends a session ends it well: settings are kept.
     std::signal(SIGTERM, [](int) { asked_to_end = 1; });
     std::signal(SIGINT, [](int) { asked_to_end = 1; });
     while (frame() && asked_to_end == 0) {
     }
-    if (!options_.screenshot.empty() && failure_.empty()) keep_picture(options_.screenshot);
+    if (!options_.screenshot.empty() && failure_.empty()) keep_picture(picture(), options_.screenshot);
+    if (!options_.contact_sheet.empty() && failure_.empty()) keep_picture(contact_sheet(), options_.contact_sheet);
     keep_settings();
     if (options_.timing && !frame_times_.empty()) {
         std::sort(frame_times_.begin(), frame_times_.end());
@@ -127,11 +135,17 @@ bool App::frame() {
     if (change_room_) {
         change_room_ = false;
         if (room_) room_->leave();
+        room_.reset();
+        stage_->forget_pending();  // what still comes would call into a room that is gone
         const RoomCard* const card = find_room(wanted_room_);
         room_id_ = card != nullptr ? std::string(card->id) : std::string();
         room_ = card != nullptr ? card->make() : make_start_screen([this](std::string_view id) { go_to(id); });
         room_->enter(*stage_);
         restless_ = 3;
+    }
+    if (!scripts_.empty() && (!player_ || player_->done())) {
+        play(std::move(scripts_.back()));
+        scripts_.pop_back();
     }
     const double start = now();
     take_events();
@@ -147,12 +161,11 @@ bool App::frame() {
         glFinish();
         frame_times_.push_back(now() - start);
     }
-    for (const std::string& path : screenshots_) keep_picture(path);
-    screenshots_.clear();
+    keep_screenshots();
     display_->present();
     ++frame_;
     if (options_.frames && frame_ >= *options_.frames) quit_ = true;
-    if (player_ && player_->done() && options_.headless && !options_.frames) quit_ = true;
+    if (player_ && player_->done() && scripts_.empty() && options_.headless && !options_.frames) quit_ = true;
     return !quit_;
 }
 
@@ -220,14 +233,23 @@ void App::draw() {
     imgui_->begin_frame(tick);
     renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size()});
     room_->draw(*renderer_);
-    renderer_->end(display_->framebuffer());
     view::draw_labels(renderer_->view(), renderer_->labels(),
                       [this](const dvec3& place) { return room_->hides(place); });
     room_->ui();
     draw_house_ui();
+    imgui_->end_frame();
+    is_painted_ = false;
+    // Nobody sees a frame of a headless run but those that are kept, and drawing is what takes the time.
+    if (!options_.headless || options_.timing) paint();
+}
+
+void App::paint() {
+    if (is_painted_) return;
+    is_painted_ = true;
+    renderer_->end(display_->framebuffer());
     glBindFramebuffer(GL_FRAMEBUFFER, display_->framebuffer());
     glViewport(0, 0, display_->framebuffer_size().x, display_->framebuffer_size().y);
-    imgui_->end_frame();
+    imgui_->paint();
 }
 
 void App::draw_house_ui() {
@@ -250,12 +272,26 @@ void App::draw_house_ui() {
 }
 
 view::Picture App::picture() {
+    paint();
     return view::read_picture(display_->framebuffer(), display_->framebuffer_size());
 }
 
-void App::keep_picture(const std::string& path) {
-    const auto written = view::write_png(picture(), path);
+view::Picture App::contact_sheet() const {
+    return view::contact_sheet(thumbnails_);
+}
+
+void App::keep_picture(const view::Picture& picture, const std::string& path) {
+    const auto written = view::write_png(picture, path);
     if (!written) fail(ExitCode::failed, written.error().text);
+}
+
+void App::keep_screenshots() {
+    for (const view::Screenshot& wanted : screenshots_) {
+        const view::Picture now = picture();
+        keep_picture(now, wanted.path);
+        if (!options_.contact_sheet.empty()) thumbnails_.push_back({view::thumbnail(now), wanted.caption});
+    }
+    screenshots_.clear();
 }
 
 void App::keep_settings() {

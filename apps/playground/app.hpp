@@ -10,6 +10,7 @@
 
 #include "playground/options.hpp"
 #include "playground/room.hpp"
+#include "view/contact_sheet.hpp"
 #include "view/imgui_adapter.hpp"
 #include "view/picture.hpp"
 #include "view/script.hpp"
@@ -35,6 +36,9 @@ public:
     void push(const view::InputEvent& event) { events_.push_back(event); }
     void play(view::Script script);
 
+    /// All pictures that scripts asked for so far, small, with their captions.
+    [[nodiscard]] view::Picture contact_sheet() const;
+
     [[nodiscard]] const std::string& room() const { return room_id_; }
     [[nodiscard]] Stage& stage() { return *stage_; }
     [[nodiscard]] Room& current() { return *room_; }
@@ -49,10 +53,13 @@ private:
     void house_event(const view::InputEvent& event);
     void update(double dt);
     void draw();
+    void paint();
     void draw_house_ui();
     void fail(ExitCode code, const std::string& text);
     void keep_settings();
-    void keep_picture(const std::string& path);
+    [[nodiscard]] bool read_scripts();
+    void keep_picture(const view::Picture& picture, const std::string& path);
+    void keep_screenshots();
     [[nodiscard]] double wait_time() const;
 
     // In the order in which they need each other.
@@ -73,12 +80,15 @@ private:
 
     std::optional<view::ScriptPlayer> player_;
     std::vector<view::InputEvent> events_;
-    std::vector<std::string> screenshots_;
+    std::vector<view::Script> scripts_;  // to be played after the one at hand
+    std::vector<view::Screenshot> screenshots_;
+    std::vector<view::CaptionedPicture> thumbnails_;
     int frame_ = 0;
     int restless_ = 3;   // frames to be drawn before waiting for input
     double behind_ = 0;  // time that was not yet updated [s]
     double last_time_ = 0;
     bool help_ = false;
+    bool is_painted_ = true;  // is the frame that was collected last in the framebuffer?
     bool quit_ = false;
     std::string failure_;
     ExitCode code_ = ExitCode::ok;

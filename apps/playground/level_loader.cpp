@@ -27,11 +27,19 @@ LevelLoader::Result LevelLoader::read(const std::string& path) {
 }
 
 void LevelLoader::load(const std::string& path, Done done, Failed failed) {
-    if (result_.valid()) forgotten_.push_back(std::move(result_));
+    forget();
     path_ = path;
     done_ = std::move(done);
     failed_ = std::move(failed);
     result_ = std::async(at_once_ ? std::launch::deferred : std::launch::async, read, path);
+}
+
+void LevelLoader::forget() {
+    if (result_.valid()) forgotten_.push_back(std::move(result_));
+    result_ = {};
+    path_.clear();
+    done_ = nullptr;
+    failed_ = nullptr;
 }
 
 bool LevelLoader::update() {

@@ -32,6 +32,9 @@ public:
     /// Begins to load; what is loading already is forgotten. One of the two is called by `update`.
     void load(const std::string& path, Done done, Failed failed);
 
+    /// Forgets what is loading: nobody is called back.
+    void forget();
+
     /// Calls back when the level is there; true while one is loading.
     bool update();
 

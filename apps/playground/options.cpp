@@ -45,9 +45,12 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
     program.add_option("--level", options.level, "The level: .surefoot, or any file that `surefoot cook` reads");
     program.add_flag("--headless", options.headless,
                      "Draw without a display; time goes by frames, so every run is alike");
-    program.add_option("--script", options.script, "Input from this file instead of a hand");
+    program.add_option("--script", options.scripts,
+                       "Input from this file instead of a hand; several are played one after the other");
     program.add_option("--frames", options.frames, "End after so many frames")->check(CLI::Range(1, 1000000));
     program.add_option("--screenshot", options.screenshot, "Keep the last frame as a PNG");
+    program.add_option("--contact-sheet", options.contact_sheet,
+                       "A PNG with all screenshots of the scripts, small, with their captions");
     program.add_option("--size", size, "Of the window, as 1280x720")->type_name("WxH");
     program
         .add_option("--preset", options.preset, "What is drawn: full, or software for machines without a graphics card")
@@ -58,11 +61,17 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
                        "Keep settings in this file (headless runs keep none otherwise)");
     program.add_option("--gl", options.gl, "Take this OpenGL: core (3.3) or es (ES 3.0)")
         ->check(CLI::IsMember({"core", "es"}));
+    bool list_rooms = false;
+    program.add_flag("--list-rooms", list_rooms, "Print what --room takes, a line each, and end");
     program.add_flag("--timing", options.timing, "Print how long frames took");
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage;
+    }
+    if (list_rooms) {
+        for (const std::string& id : ids) fmt::print("{}\n", id);
+        return ExitCode::ok;
     }
     if (!size.empty()) {
         options.size = parse_size(size);
@@ -71,7 +80,7 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
             return ExitCode::usage;
         }
     }
-    if (options.headless && !options.frames && options.script.empty()) options.frames = 60;
+    if (options.headless && !options.frames && options.scripts.empty()) options.frames = 60;
     return std::nullopt;
 }
 

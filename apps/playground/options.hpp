@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "view/input.hpp"
 
@@ -21,9 +22,10 @@ struct Options {
     std::string room;
     std::string level;
     bool headless = false;
-    std::string script;
+    std::vector<std::string> scripts;  ///< played one after the other
     std::optional<int> frames;
     std::string screenshot;
+    std::string contact_sheet;
     std::optional<view::ivec2> size;
     std::string preset;
     double scale = 1;

@@ -30,11 +30,16 @@ struct Stage {
     bool headless = false;  ///< no user is there: nothing of the machine's but what was asked for
     std::string level{};    ///< from the command line; empty if none was named
 
+    // What these call back belongs to the room that is open: once that is left, `done` is never called.
+
     /// Shows the dialog and loads what the user chooses; `done` is called when it is there.
     void browse_for_level(const LevelLoader::Done& done);
 
     /// Loads a level; one that fails is told to the user and `done` is not called.
     void open_level(const std::string& path, const LevelLoader::Done& done);
+
+    /// Forgets what was to be called back, and closes the dialog: for the house, when the room is gone.
+    void forget_pending();
 };
 
 class Room {

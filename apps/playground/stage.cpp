@@ -22,4 +22,9 @@ void Stage::browse_for_level(const LevelLoader::Done& done) {
                  [this, done](const std::string& path) { open_level(path, done); });
 }
 
+void Stage::forget_pending() {
+    browser.close();
+    levels.forget();
+}
+
 }  // namespace surefoot::playground

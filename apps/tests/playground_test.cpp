@@ -1,6 +1,7 @@
 // Every screen, by the program itself, without a display.
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "playground/app.hpp"
 #include "view/gl.hpp"
@@ -116,6 +117,41 @@ TEST(Playground, a_label_that_is_not_there_fails_the_run) {
     }
     EXPECT_NE(app->failure().find("test:1"), std::string::npos);
     EXPECT_NE(app->failure().find("\"Walk\""), std::string::npos);
+}
+
+TEST(Playground, a_level_that_arrives_after_its_room_was_left_calls_nobody) {
+    for (const RoomCard& card : rooms()) {
+        const auto app = open(std::string(card.id), ground);
+        play(*app, "wait 2\nquit");
+        bool called = false;
+        app->stage().open_level(ground, [&](const LevelLoader::Loaded&) { called = true; });
+        app->go_to("");
+        for (int i = 0; i < 3; ++i) app->frame();
+        EXPECT_FALSE(called) << card.id;
+        EXPECT_EQ(app->stage().levels.loading(), "") << card.id;
+    }
+}
+
+TEST(Playground, a_dialog_closes_with_the_room_that_opened_it) {
+    const auto app = open("walk", ground);
+    play(*app, "wait 2\nkey Control+O\nwait 2\nquit");
+    ASSERT_TRUE(app->stage().browser.is_open());
+    app->go_to("");
+    app->frame();
+    EXPECT_FALSE(app->stage().browser.is_open());
+}
+
+TEST(LevelLoader, a_level_that_was_forgotten_while_it_was_read_never_calls_back) {
+    LevelLoader loader(false);
+    int called = 0;
+    const auto count = [&](const auto&) { ++called; };
+    loader.load(ground, count, count);
+    loader.forget();
+    EXPECT_EQ(loader.loading(), "");
+    EXPECT_FALSE(loader.update());
+    loader.load(ground, count, count);
+    while (loader.update()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(called, 1);
 }
 
 TEST(Playground, another_size_is_drawn_at_that_size) {

@@ -109,8 +109,9 @@ void FileBrowser::draw() {
     if (!stays) close();
     if (!go.empty()) go_to(go);
     if (take.empty()) return;
+    const Chosen chosen = std::move(chosen_);
     close();
-    if (chosen_) chosen_(take);
+    if (chosen) chosen(take);
 }
 
 }  // namespace surefoot::view

@@ -15,7 +15,10 @@ public:
     /// Opens in `folder`, or where it was left if that is empty; shows files whose names end so (lower case, with the
     /// dot).
     void open(std::string title, std::vector<std::string> endings, Chosen chosen, const std::string& folder = {});
-    void close() { is_open_ = false; }
+    void close() {
+        is_open_ = false;
+        chosen_ = nullptr;
+    }
     [[nodiscard]] bool is_open() const { return is_open_; }
 
     /// The widgets; calls `chosen` when a file is.

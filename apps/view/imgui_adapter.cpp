@@ -170,6 +170,9 @@ void ImGuiAdapter::begin_frame(double dt) {
 
 void ImGuiAdapter::end_frame() {
     ImGui::Render();
+}
+
+void ImGuiAdapter::paint() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -24,8 +24,11 @@ public:
 
     void begin_frame(double dt);
 
-    /// Draws all widgets into the framebuffer that is bound.
+    /// No widget comes after this in the frame.
     void end_frame();
+
+    /// Draws the widgets of the frame that ended last into the framebuffer that is bound.
+    void paint();
 
     /// Does a widget want the text that is typed?
     [[nodiscard]] bool wants_text() const;

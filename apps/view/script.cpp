@@ -121,6 +121,7 @@ public:
         }
         if (verb == "text") return words_.rest.empty() ? "write: text WHAT IS TYPED" : told(Kind::text);
         if (verb == "drop") return words_.rest.empty() ? "write: drop FILE" : told(Kind::drop);
+        if (verb == "caption") return words_.rest.empty() ? "write: caption WHAT IS SEEN" : told(Kind::caption);
         if (verb == "screenshot") return words_.rest.empty() ? "write: screenshot FILE.png" : told(Kind::screenshot);
         if (verb == "resize") {
             const std::string wrong = places(Kind::resize, 1, false, "resize WIDTH HEIGHT");
@@ -135,7 +136,7 @@ public:
         }
         return "unknown command '" + verb +
                "'; there are: frame wait move press release click drag wheel key hold unhold text drop resize "
-               "screenshot quit";
+               "caption screenshot quit";
     }
 
 private:

@@ -17,6 +17,7 @@
 ///     text 1.5                 types
 ///     drop level.obj           drops a file on the window
 ///     resize 800 600           makes the window another size
+///     caption What is seen     belongs to the next screenshot, on a contact sheet
 ///     screenshot out.png       keeps a picture of this frame; what follows is in the next
 ///     quit
 #pragma once
@@ -50,6 +51,7 @@ struct ScriptCommand {
         text,
         drop,
         resize,
+        caption,
         screenshot,
         quit,
     };
@@ -73,6 +75,12 @@ struct Script {
 [[nodiscard]] Expected<Script> parse_script(std::string_view text, const std::string& name);
 [[nodiscard]] Expected<Script> read_script(const std::string& path);
 
+/// A picture that a script asks for.
+struct Screenshot {
+    std::string path;
+    std::string caption;  ///< may be empty
+};
+
 /// Plays a script: one call a frame.
 class ScriptPlayer {
 public:
@@ -84,7 +92,7 @@ public:
     /// What one frame holds.
     struct Frame {
         std::vector<InputEvent> events;
-        std::vector<std::string> screenshots;  ///< to be kept of this frame, once it is drawn
+        std::vector<Screenshot> screenshots;  ///< to be kept of this frame, once it is drawn
         std::optional<ivec2> resize;
         bool quit = false;
     };
@@ -107,6 +115,7 @@ private:
     int frame_ = -1;
     int spent_ = 0;  // frames on the command at hand
     int label_wait_ = 0;
+    std::string caption_;
     dvec2 pointer_{0, 0};
     Modifiers held_{};
 };

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "view/script.hpp"
 
@@ -89,8 +90,11 @@ bool ScriptPlayer::step(const ScriptCommand& c, Frame& frame) {
         case Kind::resize:
             frame.resize = ivec2(c.to);
             return true;
+        case Kind::caption:
+            caption_ = c.text;
+            return true;
         case Kind::screenshot:
-            frame.screenshots.push_back(c.text);
+            frame.screenshots.push_back({c.text, std::exchange(caption_, {})});
             return true;
         case Kind::quit:
             frame.quit = true;
