@@ -232,7 +232,7 @@ void MathematicsPanel::table_ui(const Inquiry& inquiry) {
     const bool wrong = method_ && larger_root_;
     ImGui::PushTextWrapPos(0);
     ImGui::PushStyleColor(ImGuiCol_Text, view::to_imgui(wrong ? view::rgb(0xF08A80) : paint::paper));
-    ImGui::TextUnformatted((wrong ? "By the larger root: " + conclusion : conclusion).c_str());
+    ImGui::TextUnformatted((wrong ? "Wrong: " + conclusion : conclusion).c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     lit_ = answer_rows(rows_, pinned_);
