@@ -14,6 +14,7 @@
 #include "playground/debugger_room/gap_graph.hpp"
 #include "playground/debugger_room/panels_maths.hpp"
 #include "playground/debugger_room/subjects.hpp"
+#include "view/theme.hpp"
 #include "view/widgets.hpp"
 
 namespace surefoot::playground {
@@ -54,6 +55,8 @@ private:
     bool beside_ = true;
     double s_ = 1;
     std::optional<double> goal_;  // where s goes by itself
+    double left_ = 1;             // where it left, and how much of the way is gone
+    double gone_ = 0;
     bool larger_root_ = false;
     std::optional<std::size_t> pinned_;
     std::optional<std::size_t> lit_;
@@ -97,9 +100,13 @@ void MathematicsPanel::take_apart(const Inquiry& inquiry) {
 
 bool MathematicsPanel::update(double dt, Inquiry& /*inquiry*/) {
     if (!goal_) return false;
-    const double step = dt / squash_seconds;
-    s_ = s_ < *goal_ ? std::min(s_ + step, *goal_) : std::max(s_ - step, *goal_);
-    if (s_ == *goal_) goal_.reset();
+    gone_ = std::min(gone_ + dt / squash_seconds, 1.0);
+    // Slow at both ends, so that the eye can follow.
+    s_ = left_ + (*goal_ - left_) * gone_ * gone_ * (3 - 2 * gone_);
+    if (gone_ == 1) {
+        s_ = *goal_;
+        goal_.reset();
+    }
     return true;
 }
 
@@ -134,9 +141,7 @@ void MathematicsPanel::draw_lit(view::Renderer& renderer, const Inquiry& inquiry
 
 void MathematicsPanel::draw_beside(view::Renderer& renderer, const Inquiry& inquiry) const {
     const Motion& motion = inquiry.question.motion;
-    // Slow at both ends, so that the eye can follow.
-    const double eased = s_ * s_ * (3 - 2 * s_);
-    const DrawnWorld world = world_beside(inquiry.question.volume(), motion, eased, offset_);
+    const DrawnWorld world = world_beside(inquiry.question.volume(), motion, s_, offset_);
     for (std::size_t i = 0; i < subjects_.size(); ++i) {
         const Triangle& t = subjects_[i].triangle;
         const dvec3 corners[3] = {world.point(t.a), world.point(t.b), world.point(t.c)};
@@ -161,7 +166,7 @@ void MathematicsPanel::draw_beside(view::Renderer& renderer, const Inquiry& inqu
     renderer.label({.place = at(0) + dvec3(0, 1.3 * r, 0),
                     .text = s_ == 1   ? "squashed: the ball of radius 1"
                             : s_ == 0 ? "the world as it is"
-                                      : fmt::format("on the way, s = {:.2f}", eased),
+                                      : fmt::format("on the way, s = {:.2f}", s_),
                     .offset = {0, -14}});
 }
 
@@ -207,7 +212,11 @@ void MathematicsPanel::squash_ui() {
     if (!beside_) return;
     const bool out = goal_ ? *goal_ == 1 : s_ == 1;
     ImGui::SameLine();
-    if (ui::button(out ? "Unsquash" : "Squash", 84)) goal_ = out ? 0 : 1;
+    if (ui::button(out ? "Unsquash" : "Squash", 84)) {
+        goal_ = out ? 0 : 1;
+        left_ = s_;
+        gone_ = 0;
+    }
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     const double low = 0;
@@ -219,8 +228,12 @@ void MathematicsPanel::squash_ui() {
 }
 
 void MathematicsPanel::table_ui(const Inquiry& inquiry) {
+    const std::string& conclusion = method_ ? method_->conclusion : planes_.conclusion;
+    const bool wrong = method_ && larger_root_;
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted((method_ ? method_->conclusion : planes_.conclusion).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, view::to_imgui(wrong ? view::rgb(0xF08A80) : paint::paper));
+    ImGui::TextUnformatted((wrong ? "Wrong: " + conclusion : conclusion).c_str());
+    ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     lit_ = answer_rows(rows_, pinned_);
     if (!method_) return;
