@@ -63,6 +63,7 @@ private:
     void drag_to(const dvec2& at, bool snaps);
     void panel_opened();
     void moment_bar();
+    void question_window();
     void look_section();
 
     Stage* stage_ = nullptr;
@@ -312,14 +313,15 @@ bool Debugger::hides(const dvec3& place) const {
     return asked_.mesh()->ray_any({eye, eye + (place - eye) * 0.995});
 }
 
-/// Another panel is open than before: a lesson is looked at from where it wants to be, and the question from where it
-/// was.
+/// Another panel is open than before: one with more to show than the question is looked at from where it wants to be,
+/// and the question from where it was.
 void Debugger::panel_opened() {
     const Panel* const panel = bar_.open();
-    if (panel != nullptr && panel->has_own_scene()) {
+    const auto seen = panel != nullptr ? panel->scene_frame() : std::nullopt;
+    if (seen || has_lesson()) {
         if (!before_lesson_) before_lesson_ = orbit_.goal();
         drag_.reset();
-        if (const auto seen = panel->scene_frame())
+        if (seen)
             orbit_.frame({seen->first - dvec3(seen->second / std::sqrt(3.0)),
                           seen->first + dvec3(seen->second / std::sqrt(3.0))});
     } else if (before_lesson_) {
@@ -375,9 +377,8 @@ void Debugger::moment_bar() {
     ImGui::End();
 }
 
-void Debugger::ui() {
+void Debugger::question_window() {
     namespace ui = view::ui;
-    if (panels_hidden_) return;
     if (ui::begin("Question", {.width = 300})) {
         const auto wishes = question_panel_.ui(asked_);
         if (wishes.open) open_dialog();
@@ -392,6 +393,12 @@ void Debugger::ui() {
         look_section();
     }
     ui::end();
+}
+
+void Debugger::ui() {
+    namespace ui = view::ui;
+    if (panels_hidden_) return;
+    if (!has_lesson()) question_window();
     const double bar_height = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
                               2 * ImGui::GetStyle().WindowPadding.y + 14;
     if (bar_.ui(inquiry_, bar_height)) panel_opened();
