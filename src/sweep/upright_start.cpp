@@ -251,8 +251,8 @@ private:
     }
 
     // A cone's rim may be nearest along a normal that is level but for rounding, across an edge or away from the axis.
-    // Where an edge along the tangent has its corner on the rim, the two differ by an ulp of zero, as slopes do that have
-    // opposite signs: a rim against an edge has the one across it.
+    // Where the edge lies along the rim's tangent at its corner, the two are an ulp of zero apart and may have slopes
+    // of opposite signs. A rim's normal against an edge is perpendicular to it, and so is the one across.
     [[nodiscard]] Slope level_slope(const typename UprightStart<Real>::Plane& plane,
                                     const ExactSlopes& exact) const noexcept {
         const Real zero(0.0);
