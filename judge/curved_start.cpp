@@ -109,37 +109,49 @@ constexpr double same_normal = 0x1p-180;
 struct FlatNormal {
     V3<Big> n;  ///< of unit length
     int slope;
+    bool is_across = false;  ///< level, across this edge
+    V3<Big> edge{};          ///< about of unit length
 };
 
 /// Of caps, face, a side against an edge that it stands along, and a side or rim against a corner or an upright edge.
 std::vector<FlatNormal> flat_normals(const Exactly& at) {
     std::vector<FlatNormal> flats;
     const Dyadic zero;
-    const auto add_both = [&](const V3<Dyadic>& normal) {
-        V3<Big> n = rounded<Big>(normal);
+    const auto unit = [](const V3<Dyadic>& v) {
+        const V3<Big> n = rounded<Big>(v);
         const Big largest = std::max({magnitude(n.x), magnitude(n.y), magnitude(n.z)});
-        if (!(largest > Big(0))) return;
-        n = scaled(n, Big(1) / largest);
-        n = scaled(n, Big(1) / length(n));
+        if (!(largest > Big(0))) return n;
+        const V3<Big> scaled_n = scaled(n, Big(1) / largest);
+        return scaled(scaled_n, Big(1) / length(scaled_n));
+    };
+    const auto add_both = [&](const V3<Dyadic>& normal, const V3<Dyadic>* edge = nullptr) {
+        const V3<Big> n = unit(normal);
+        if (!(length(n) > Big(0))) return;
         const int slope = sign_of(dot(normal, at.d));
-        flats.push_back({n, slope});
-        flats.push_back({-n, -slope});
+        const V3<Big> along = edge != nullptr ? unit(*edge) : V3<Big>{};
+        flats.push_back({n, slope, edge != nullptr, along});
+        flats.push_back({-n, -slope, edge != nullptr, along});
     };
     add_both({zero, Dyadic(1), zero});
     add_both(cross(at.w[1] - at.w[0], at.w[2] - at.w[0]));
     for (int i = 0; i < 3; ++i) {
         const V3<Dyadic> edge = at.w[(i + 1) % 3] - at.w[i];
-        add_both({-edge.z, zero, edge.x});
+        add_both({-edge.z, zero, edge.x}, &edge);
         add_both({at.w[i].x, zero, at.w[i].z});
     }
     return flats;
 }
 
-/// The slope along the flat normal that is the nearest to n, of those that n is one of but for rounding.
+/// The slope along the flat normal that is the nearest to n, of those that n is one of but for rounding. What is
+/// perpendicular to an edge is the one across it, turned up: where an edge along a rim's tangent has its corner on the
+/// rim, the one away from the axis is by an ulp of zero as near, and may have a slope of the other sign.
 int slope_along_flat(const std::vector<FlatNormal>& flats, const V3<Big>& n, int otherwise) {
     Big nearest(same_normal);
     for (const FlatNormal& flat : flats) {
         const Big apart = length(n - flat.n);
+        if (flat.is_across && apart < Big(same_normal) &&
+            magnitude(dot(n, flat.edge)) < Big(deep_band.zero) * Big(deep_band.zero))
+            return flat.slope;
         if (!(apart < nearest)) continue;
         nearest = apart;
         otherwise = flat.slope;

@@ -124,5 +124,44 @@ TEST(SweepStart, the_point_of_a_cone_whose_disc_lies_in_the_triangles_plane_is_o
     EXPECT_NEAR(hit->point.y, 16409, 5e-6);
 }
 
+TEST(SweepStart, the_point_on_an_edge_that_grazes_a_flat_cones_rim_is_on_the_rim) {
+    struct Case {
+        Question question;
+        dvec3 up;
+        double allowed;
+    };
+    const std::array<Case, 2> cases{{
+        {{Cone{18.14445021487593, 0.0018146264841360066},
+          dquat(0.7, -0.7, 0, 0),
+          {{-1856.924150021027, 1240.263079466228, -593.2707926187637},
+           {-1910.5435729650492, 1215.0024159130946, -591.0510328491772}},
+          {{-599.5638427734375, -1783.8809814453125, -591.8961791992188},
+           {-1892.9801025390625, 1233.318115234375, -591.3485107421875},
+           {789.8365478515625, -534.816162109375, 1280.6348876953125}}},
+         {0, 0, -1},
+         1.9e-7},
+        {{Cone{136.7730175973506, 0.02671453636127362},
+          dquat(1, 0, 0, -1),
+          {{158.38206760036599, -350.18712174791307, -151.45861673690735},
+           {158.31134919773626, -350.1471169669019, -151.53804092018336}},
+          {{158.25767320116228, -166.42605137649986, 260.7598778502049},
+           {-376.69215329374003, -643.6717644282119, 18.51305719055773},
+           {158.44548492271923, -442.50532408916104, -517.5933490425734}}},
+         {1, 0, 0},
+         6.4e-8},
+    }};
+    for (const auto& [question, up, allowed] : cases) {
+        const auto hit = question.answer();
+        ASSERT_TRUE(hit.has_value());
+        EXPECT_EQ(hit->feature, Feature::edge);
+        const dvec3 apex = question.motion.from + (question.motion.to - question.motion.from) * hit->t;
+        const dvec3 from_apex = hit->point - apex;
+        const double upward = inner(from_apex, up);
+        const auto& cone = std::get<Cone>(question.shape);
+        EXPECT_LE(glm::length(from_apex - up * upward), cone.radius + allowed);
+        EXPECT_NEAR(upward, cone.height, allowed);
+    }
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -278,6 +278,26 @@ TEST(UprightStart, a_side_that_grazes_an_edge_near_its_corner_names_the_edge_and
     }
 }
 
+TEST(UprightStart, an_edge_along_the_tangent_of_a_rim_has_the_slope_of_its_own_level_normal) {
+    // The normal away from the axis, through the corner on the rim, differs by an ulp of zero, and has the other sign.
+    Query leaving = query_of(Kind::cone, 400, 560, {-524288, -1048576, -5e-324}, {-524108, -1049120, -108});
+    turn(leaving, 3, 1, 0, 0);
+    corners(leaving, {-523968, -1047984, 144}, {-523600, -1047840, 32}, {-523776, -1048528, 56});
+    const Asked left = ask(leaving);
+    EXPECT_FALSE(left.answer.hit);
+    EXPECT_EQ(left.verdict, Verdict::right);
+    EXPECT_EQ(verdict_of_the_opposite(leaving, left.answer), Verdict::false_hit);
+
+    // Apart by an ulp of zero, it ends exactly on the edge.
+    Query closing = query_of(Kind::cone, 720, 1008, {-524288, -5e-324, 524288}, {-524240, -490.25, 524212.75});
+    turn(closing, 1, 2, 2, 0);
+    corners(closing, {-523088, 240, 524096}, {-516944, -62512, 514464}, {-517280, -62384, 513520});
+    const Asked held = ask(closing);
+    EXPECT_TRUE(held.answer.hit);
+    EXPECT_EQ(held.verdict, Verdict::right);
+    EXPECT_EQ(verdict_of_the_opposite(closing, held.answer), Verdict::miss);
+}
+
 TEST(UprightStart, a_triangle_without_area_has_no_face_that_a_grazing_side_could_be_apart_from) {
     // In the shape's frame its corners are no longer exactly in a row, and rounding gives it a plane, 329 m away.
     Query query = query_of(Kind::cone, 50, 80, {243, 640, -2}, {-237, -640, -2});

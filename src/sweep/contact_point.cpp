@@ -1,5 +1,6 @@
 #include "sweep/contact_point.hpp"
 
+#include "nearest.hpp"
 #include "sweep/deepest.hpp"
 
 namespace surefoot::internal {
@@ -14,6 +15,30 @@ Vec point_on_part(const Shape& shape, const Vec (&corners)[3], unsigned part, do
         if (part == (1U << i | 1U << j)) return deepest_on_segment(shape, corners[i], corners[j], margin);
     }
     return deepest_on_triangle(shape, corners, margin);
+}
+
+Vec nearest_on_part(const Vec (&corners)[3], unsigned part, const Vec& p) noexcept {
+    for (unsigned i = 0; i < 3; ++i) {
+        if (part == 1U << i) return corners[i];
+        const unsigned j = (i + 1) % 3;
+        if (part == (1U << i | 1U << j)) return nearest_on_segment(p, corners[i], corners[j]);
+    }
+    return nearest_on_triangle(p, corners);
+}
+
+// Where an edge passes a flat cone's rim at a grazing angle, a hair of height is ten thousand hairs sideways, and a
+// point within the hair by height may be far off the rim. By turns to the nearest point of cone and part, it comes
+// nearer.
+Vec drawn_to_cone(const Cone& cone, const Vec (&corners)[3], unsigned part, Vec point, double enough) noexcept {
+    constexpr int most_turns = 32;
+    for (int turn = 0; turn < most_turns; ++turn) {
+        const Vec nearest = nearest_in_cone(cone, point);
+        if (length(point - nearest) <= enough) break;
+        const Vec next = nearest_on_part(corners, part, nearest);
+        if (next == point) break;
+        point = next;
+    }
+    return point;
 }
 
 }  // namespace
@@ -51,6 +76,10 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
         // Where a flat side lies in the plane of the triangle, turning that plane by a rounding lifts it by more than a
         // hair.
         for (const unsigned part : {3U, 6U, 5U, 7U}) look_on(part, allowed / 4);
+    }
+    const auto* cone = std::get_if<Cone>(&query.shape);
+    if (cone != nullptr && at_most_outside_by(query.shape, point) > allowed / 4) {
+        point = drawn_to_cone(*cone, at_touch, contact.is_on_part ? contact.corners : 7, point, allowed / 4);
     }
     contact.point = point + touching;
     if (overlaps && outside_by(query.shape, contact.point - here) > margin) {

@@ -176,6 +176,22 @@ Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double marg
         shape);
 }
 
+Vec nearest_in_cone(const Cone& cone, const Vec& p) noexcept {
+    const double sideways = sideways_length(p);
+    if (p.y <= cone.height && sideways <= cone.radius / cone.height * p.y) return p;
+    // On the disc, or on the line from the apex to the rim.
+    const double on_disc = smaller(sideways, cone.radius);
+    const double share = clamp(
+        (sideways * cone.radius + p.y * cone.height) / (cone.radius * cone.radius + cone.height * cone.height), 0, 1);
+    const auto point_at = [&](double distance, double height) {
+        const double scale = sideways > 0 ? distance / sideways : 0;
+        return Vec{p.x * scale, height, p.z * scale};
+    };
+    const Vec disc = point_at(on_disc, cone.height);
+    const Vec side = point_at(share * cone.radius, share * cone.height);
+    return length(p - disc) < length(p - side) ? disc : side;
+}
+
 double outside_by(const Shape& shape, const Vec& p) noexcept {
     return std::visit(Overloaded{
                           [&](const Sphere& sphere) { return length(p) - sphere.radius; },

@@ -12,6 +12,9 @@ namespace surefoot::internal {
 [[nodiscard]] Vec deepest_on_segment(const Shape& shape, const Vec& a, const Vec& b, double margin) noexcept;
 [[nodiscard]] Vec deepest_on_triangle(const Shape& shape, const Vec (&corners)[3], double margin) noexcept;
 
+/// The point of the cone that is nearest to p.
+[[nodiscard]] Vec nearest_in_cone(const Cone& cone, const Vec& p) noexcept;
+
 /// How far outside the shape a point is, by a measure that is 0 on its surface, at most the distance outside and
 /// negative inside [m].
 [[nodiscard]] double outside_by(const Shape& shape, const Vec& point) noexcept;

@@ -42,6 +42,11 @@ constexpr bool is_rim(int slot) noexcept {
            (slot - UprightSlot::first_edge) % UprightSlot::per_edge >= UprightSlot::rim;
 }
 
+constexpr bool is_rim_against(int slot, int edge) noexcept {
+    return slot == UprightSlot::of_edge(edge, UprightSlot::rim) ||
+           slot == UprightSlot::of_edge(edge, UprightSlot::rim + 1);
+}
+
 constexpr bool is_about_axis(int slot) noexcept {
     return slot >= UprightSlot::first_edge &&
            (slot - UprightSlot::first_edge) % UprightSlot::per_edge == UprightSlot::about_axis;
@@ -219,7 +224,7 @@ public:
             const Slope known = slope_of(start, i, slopes);
             if (known == Slope::not_closing) return known;
             if (known != Slope::unknown || plane.approach < -slope_hair_) continue;
-            if (plane.approach > slope_hair_ || level_slope(plane.normal, exact) != Slope::closing) {
+            if (plane.approach > slope_hair_ || level_slope(plane, exact) != Slope::closing) {
                 return Slope::not_closing;
             }
         }
@@ -246,8 +251,12 @@ private:
     }
 
     // A cone's rim may be nearest along a normal that is level but for rounding, across an edge or away from the axis.
-    [[nodiscard]] Slope level_slope(const ExactVec<Real>& normal, const ExactSlopes& exact) const noexcept {
+    // Where the edge lies along the rim's tangent at its corner, the two are an ulp of zero apart and may have slopes
+    // of opposite signs. A rim's normal against an edge is perpendicular to it, and so is the one across.
+    [[nodiscard]] Slope level_slope(const typename UprightStart<Real>::Plane& plane,
+                                    const ExactSlopes& exact) const noexcept {
         const Real zero(0.0);
+        const ExactVec<Real>& normal = plane.normal;
         if (!(normal.y * normal.y < Real(same_normal))) return Slope::unknown;
         Real nearest(same_normal);
         Slope slope = Slope::unknown;
@@ -262,9 +271,11 @@ private:
                 const bool as_it_is = dot(level, normal).sign() > 0;
                 const ExactVec<Real> apart = normal - level * (Real(as_it_is ? 1.0 : -1.0) / size);
                 const Real squared = dot(apart, apart);
-                if (!(squared < nearest)) continue;
+                const bool is_own = is_across && is_rim_against(plane.slot, i) && squared < Real(same_normal);
+                if (!is_own && !(squared < nearest)) continue;
                 nearest = squared;
                 slope = exact.of_level(i, is_across, as_it_is);
+                if (is_own) return slope;
             }
         }
         return slope;
