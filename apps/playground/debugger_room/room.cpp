@@ -146,7 +146,9 @@ void Debugger::paste() {
 void Debugger::frame() {
     orbit_.frame(extent_of(asked_));
     auto stand = orbit_.goal();
-    stand.distance *= 0.88;  // the ball around the corners of a box is wider than what is in it
+    // The ball around the corners of a box is wider than what is in it. In a level the motion's own ends are those
+    // corners.
+    stand.distance *= asked_.level() ? 1.2 : 0.88;
     orbit_.go_to(stand);
 }
 
@@ -195,11 +197,7 @@ bool Debugger::key(const view::KeyPress& press) {
     if (press.repeat) return false;
     switch (press.key) {
         case Key::f:
-            if (has_lesson()) {
-                panel_opened();
-            } else {
-                frame();
-            }
+            has_lesson() ? panel_opened() : frame();
             return true;
         case Key::h:
             panels_hidden_ = !panels_hidden_;
