@@ -34,8 +34,8 @@ struct Grip {
     enum class Kind : std::uint8_t {
         body,    ///< the target itself: moves in the plane that faces the eye
         corner,  ///< the same
-        face,    ///< a handle on a face of the shape's bounding box: moves in that face's plane
         arrow,   ///< of the gizmo: moves along one axis
+        face,    ///< a handle on a face of the shape's bounding box: moves in that face's plane
     };
     Kind kind = Kind::body;
     Target target;
@@ -65,7 +65,7 @@ struct Grabbed {
     dvec3 at{0, 0, 0};  ///< where the pointer's ray touches it
 };
 
-/// What is under the pointer. Arrows go before handles, these before corners, and corners before bodies, for the small
+/// What is under the pointer. Handles go before arrows, these before corners, and corners before bodies, for the small
 /// ones are drawn over the large ones; among equals the nearest.
 [[nodiscard]] std::optional<Grabbed> grab(std::span<const Grip> grips, const view::Camera& camera,
                                           const view::dvec2& at, const view::ivec2& size);

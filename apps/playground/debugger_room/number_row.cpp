@@ -13,6 +13,7 @@ RowNews number_row(const char* label, std::span<double> values, const RowLook& l
     ImGui::PushID(label);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
+    view::ui::hint("Drag a number; or double-click it and type.");
     ImGui::SameLine(ImGui::GetFontSize() * 4.6F);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.6F;
     const auto count = static_cast<float>(values.size());
@@ -26,7 +27,6 @@ RowNews number_row(const char* label, std::span<double> values, const RowLook& l
         news.begun |= ImGui::IsItemActivated();
         news.ended |= ImGui::IsItemDeactivated();
         view::ui::item((std::string(label) + " " + look.names[i]).c_str());
-        view::ui::hint("Drag it; or double-click it and type.");
         ImGui::PopID();
     }
     ImGui::PopID();

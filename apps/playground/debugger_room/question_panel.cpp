@@ -87,9 +87,11 @@ void QuestionPanel::turn_row(Investigation& asked) {
 
 void QuestionPanel::place_rows(Investigation& asked) {
     dvec3 start = asked.question().motion.from;
-    tell(asked, vector_row("START", start, 0.01), debugger::MoveStart{start});
+    const RowNews start_news = vector_row("START", start, 0.01);
+    tell(asked, start_news, debugger::MoveStart{start});
     dvec3 end = asked.question().motion.to;
-    tell(asked, vector_row("END", end, 0.01), debugger::MoveEnd{end});
+    const RowNews end_news = vector_row("END", end, 0.01);
+    tell(asked, end_news, debugger::MoveEnd{end});
     constexpr std::size_t most_typed = 4;
     const std::size_t count = asked.question().triangles.size();
     if (count == 0 || count > most_typed || !ui::section("Corners", false)) return;
@@ -97,14 +99,16 @@ void QuestionPanel::place_rows(Investigation& asked) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             dvec3 place = debugger::corners_of(asked.question().triangles[i])[corner];
             const std::string label = count == 1 ? std::string{"abc"[corner]} : fmt::format("{} {}", i, "abc"[corner]);
-            tell(asked, vector_row(label.c_str(), place, 0.01),
-                 debugger::MoveCorner{.triangle = i, .corner = corner, .to = place});
+            const RowNews news = vector_row(label.c_str(), place, 0.01);
+            tell(asked, news, debugger::MoveCorner{.triangle = i, .corner = corner, .to = place});
         }
     }
 }
 
 QuestionPanel::Wishes QuestionPanel::ui(Investigation& asked) {
     Wishes wishes;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 3});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 5});
     int world = static_cast<int>(asked.question().world);
     if (ui::choice("World", world, world_names)) {
         const auto chosen = static_cast<WorldKind>(world);
@@ -118,8 +122,6 @@ QuestionPanel::Wishes QuestionPanel::ui(Investigation& asked) {
     if (asked.level())
         ui::note(fmt::format("{}: {} triangles", std::filesystem::path(asked.question().level).filename().string(),
                              asked.level()->level.mesh.triangle_count()));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 3});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 5});
     shape_rows(asked);
     turn_row(asked);
     place_rows(asked);
@@ -143,17 +145,26 @@ QuestionPanel::Wishes QuestionPanel::ui(Investigation& asked) {
             ImGui::TextDisabled("%s", remark.text.c_str());
         ImGui::PopTextWrapPos();
     }
-    const auto step = [&](const char* what, const std::string& title) {
-        const bool any = !title.empty();
+    const auto label_of = [](const char* what, const std::string& title) {
+        return title.empty() ? std::string(what) : fmt::format("{}: {}", what, title);
+    };
+    const auto step = [](const char* what, const std::string& label, bool any) {
         ImGui::BeginDisabled(!any);
-        const std::string label = any ? fmt::format("{}: {}##{}", what, title, what) : std::string(what);
-        const bool pressed = ImGui::Button(label.c_str());
+        const bool pressed = ImGui::Button((label + "##" + what).c_str());
         ImGui::EndDisabled();
         ui::item(what);
         return pressed;
     };
-    if (step("Undo", asked.history().undo_title())) asked.undo();
-    if (step("Redo", asked.history().redo_title())) asked.redo();
+    const std::string undo_title = asked.history().undo_title();
+    const std::string redo_title = asked.history().redo_title();
+    const std::string undo = label_of("Undo", undo_title);
+    const std::string redo = label_of("Redo", redo_title);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float both = ImGui::CalcTextSize((undo + redo).c_str()).x + 4 * style.FramePadding.x + style.ItemSpacing.x;
+    const bool in_a_line = both <= ImGui::GetContentRegionAvail().x;
+    if (step("Undo", undo, !undo_title.empty())) asked.undo();
+    if (in_a_line) ImGui::SameLine();
+    if (step("Redo", redo, !redo_title.empty())) asked.redo();
     if (ui::button("Open ...")) wishes.open = true;
     ui::hint("A level, or a saved moment. Dropping the file on the window does the same.");
     ImGui::SameLine();

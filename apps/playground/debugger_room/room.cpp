@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <imgui.h>
 
@@ -56,7 +55,8 @@ private:
     void open_dialog();
     void copy();
     void paste();
-    void frame(bool at_once = false);
+    void frame();
+    void show_world(bool at_once = false);
     void ease_to_middle();
     bool key(const view::KeyPress& press);
     bool button(const view::ButtonPress& press);
@@ -64,7 +64,6 @@ private:
     void panel_opened();
     void moment_bar();
     void question_window();
-    void look_section();
 
     Stage* stage_ = nullptr;
     std::shared_ptr<int> here_ = std::make_shared<int>(0);  // gone when the room is left: callbacks hold it weakly
@@ -92,7 +91,7 @@ void Debugger::enter(Stage& stage) {
                               ? std::string()
                               : (std::filesystem::path(settings).parent_path() / "moments").string());
     bar_.enter(stage);
-    frame(true);
+    show_world(true);
     if (!stage.level.empty()) open_file(stage.level);
 }
 
@@ -145,14 +144,25 @@ void Debugger::paste() {
     ease_to_middle();
 }
 
-void Debugger::frame(bool at_once) {
-    const Bounds all = extent_of(asked_);
-    orbit_.frame(all);
-    if (!at_once) return;
+void Debugger::frame() {
+    orbit_.frame(extent_of(asked_));
     auto stand = orbit_.goal();
-    stand.yaw = 0.62;
-    stand.pitch = 0.36;
-    orbit_.jump_to(stand);
+    // The ball around the corners of a box is wider than what is in it. In a level the motion's own ends are those
+    // corners.
+    stand.distance *= asked_.level() ? 1.2 : 0.88;
+    orbit_.go_to(stand);
+}
+
+/// Shows a world from the side that its question is about.
+void Debugger::show_world(bool at_once) {
+    frame();
+    auto stand = orbit_.goal();
+    const bool faces_away =
+        asked_.question().world == debugger::WorldKind::fold || asked_.question().world == debugger::WorldKind::wedge;
+    stand.yaw = faces_away ? 2.2 : 0.62;
+    stand.pitch = 0.34;
+    orbit_.go_to(stand);
+    if (at_once) orbit_.jump_to(stand);
 }
 
 void Debugger::ease_to_middle() {
@@ -188,11 +198,7 @@ bool Debugger::key(const view::KeyPress& press) {
     if (press.repeat) return false;
     switch (press.key) {
         case Key::f:
-            if (has_lesson()) {
-                panel_opened();
-            } else {
-                frame();
-            }
+            has_lesson() ? panel_opened() : frame();
             return true;
         case Key::h:
             panels_hidden_ = !panels_hidden_;
@@ -321,28 +327,14 @@ void Debugger::panel_opened() {
     if (seen || has_lesson()) {
         if (!before_lesson_) before_lesson_ = orbit_.goal();
         drag_.reset();
-        if (seen)
-            orbit_.frame({seen->first - dvec3(seen->second / std::sqrt(3.0)),
-                          seen->first + dvec3(seen->second / std::sqrt(3.0))});
+        if (seen) {
+            const dvec3 half(seen->second * 0.577);  // of the cube in a ball of that radius
+            orbit_.frame({seen->first - half, seen->first + half});
+        }
     } else if (before_lesson_) {
         orbit_.go_to(*before_lesson_);
         before_lesson_.reset();
     }
-}
-
-void Debugger::look_section() {
-    namespace ui = view::ui;
-    if (!ui::section("Show", false)) return;
-    SceneLook& look = scene_.look;
-    const auto pair = [](const char* first, bool& a, const char* second, bool& b) {
-        ui::checkbox(first, a);
-        ImGui::SameLine(ImGui::GetFontSize() * 8);
-        ui::checkbox(second, b);
-    };
-    pair("Show START", look.start, "Show END", look.end);
-    pair("Show HIT", look.hit, "Show RESULT", look.result);
-    pair("Contact", look.contact, "Ways", look.ways);
-    ui::checkbox("Labels", look.labels);
 }
 
 void Debugger::moment_bar() {
@@ -386,11 +378,11 @@ void Debugger::question_window() {
         if (wishes.paste) paste();
         if (wishes.framed) {
             selected_.reset();
-            frame();
+            show_world();
         }
         ImGui::Separator();
         if (ui::section("Answer")) answer_panel_->ui(asked_, stage_->display, stage_->toasts);
-        look_section();
+        look_ui(scene_.look);
     }
     ui::end();
 }

@@ -27,16 +27,25 @@ constexpr std::array axis_colours{rgb(0xD6584C), rgb(0x63A84E), rgb(0x4A86D8)};
 // From this share of the way on, two places count as different moments.
 constexpr double same_moment = 1e-6;
 
-/// A label over or under a shape, clear of its outline.
+enum class Side { above, below, right };
+
+/// A label beside a shape, clear of its outline.
 void name(Renderer& renderer, const Volume& volume, const dvec3& place, const std::string& text, view::Colour colour,
-          bool above) {
+          Side side) {
     const Bounds box = debugger::bounds_of(volume, place);
     const dvec3 middle = (box.min + box.max) * 0.5;
-    renderer.label({.place = {middle.x, above ? box.max.y : box.min.y, middle.z},
-                    .text = text,
-                    .colour = view::mixed(colour, paint::paper, 0.55),
-                    .offset = dvec2(0, above ? -15 : 15),
-                    .behind = 0.8});
+    view::Label label{.place = middle, .text = text, .colour = view::mixed(colour, paint::paper, 0.55), .behind = 0.8};
+    if (side == Side::right) {
+        constexpr double letter = 8;  // about as wide as one is, in window units
+        const view::Camera& camera = renderer.view().camera;
+        const double depth = std::max(glm::dot(middle - camera.eye, camera.forward), camera.nearest);
+        const double reach = glm::length(box.max - middle) / camera.unit_at(depth, renderer.view().size);
+        label.offset = dvec2(std::min(reach, 200.0) + letter * double(text.size()) / 2, 0);
+    } else {
+        label.place.y = side == Side::above ? box.max.y : box.min.y;
+        label.offset = dvec2(0, side == Side::above ? -15 : 15);
+    }
+    renderer.label(label);
 }
 
 void draw_contact(Renderer& renderer, const Investigation& asked) {
@@ -112,22 +121,22 @@ void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
     if (look.contact && touches) draw_contact(renderer, asked);
     if (look.start) {
         renderer.shape(volume, way.from, {.colour = paint::start, .opacity = 0.30});
-        if (look.labels) name(renderer, volume, way.from, "START", paint::start, true);
+        if (look.labels) name(renderer, volume, way.from, "START", paint::start, Side::above);
     }
     if (look.end) {
         renderer.shape(volume, way.to, {.colour = paint::end, .opacity = 0.24, .casts_shadow = false});
-        if (look.labels) name(renderer, volume, way.to, "END", paint::end, true);
+        if (look.labels) name(renderer, volume, way.to, "END", paint::end, Side::below);
     }
     const dvec3 stop = hit ? asked.place_at(hit->t) : way.to;
     const dvec3& rest = asked.result().position;
     const bool slides = hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
     if (look.hit && hit) {
         renderer.shape(volume, stop, {.colour = paint::hit, .opacity = 0.46, .outline = 2.4});
-        if (look.labels) name(renderer, volume, stop, fmt::format("HIT  t = {:.4f}", hit->t), paint::hit, true);
+        if (look.labels) name(renderer, volume, stop, fmt::format("HIT  t = {:.4f}", hit->t), paint::hit, Side::above);
     }
     if (look.result && slides) {
         renderer.shape(volume, rest, {.colour = paint::result, .opacity = 0.2, .outline = 1.6, .casts_shadow = false});
-        if (look.labels) name(renderer, volume, rest, "RESULT (textbook slide)", paint::result, false);
+        if (look.labels) name(renderer, volume, rest, "RESULT (textbook slide)", paint::result, Side::right);
     }
     if (look.ways) {
         draw_way(renderer, way.from + middle, stop + middle, hit ? paint::hit : paint::end);
@@ -138,7 +147,7 @@ void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
     if (is_shown(0) || is_shown(1) || (hit && is_shown(hit->t))) return;
     renderer.shape(volume, asked.place_at(t),
                    {.colour = paint::paper, .opacity = 0.05, .outline = 1.6, .casts_shadow = false});
-    if (look.labels) name(renderer, volume, asked.place_at(t), fmt::format("t = {:.4f}", t), paint::paper, false);
+    if (look.labels) name(renderer, volume, asked.place_at(t), fmt::format("t = {:.4f}", t), paint::paper, Side::right);
 }
 
 void Scene::draw_grips(Renderer& renderer, const Question& question, const std::optional<Target>& selected,

@@ -24,6 +24,9 @@ struct SceneLook {
     bool labels = true;
 };
 
+/// The section in which that is chosen.
+void look_ui(SceneLook& look);
+
 class Scene {
 public:
     SceneLook look;
