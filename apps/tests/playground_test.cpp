@@ -11,11 +11,12 @@ namespace {
 
 const std::string ground = SUREFOOT_LEVELS_DIR "/training-ground.glb";
 
-std::unique_ptr<App> open(const std::string& room, const std::string& level = {}) {
+std::unique_ptr<App> open(const std::string& room, const std::string& level = {}, const std::string& sheet = {}) {
     Options options;
     options.headless = true;
     options.room = room;
     options.level = level;
+    options.contact_sheet = sheet;
     options.size = view::ivec2(640, 400);
     options.frames = 100000;
     auto app = App::open(options);
@@ -152,6 +153,34 @@ TEST(LevelLoader, a_level_that_was_forgotten_while_it_was_read_never_calls_back)
     loader.load(ground, count, count);
     while (loader.update()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(called, 1);
+}
+
+TEST(Playground, a_contact_sheet_has_every_screenshot_and_its_caption) {
+    const std::string folder = ::testing::TempDir();
+    const auto app = open("", {}, folder + "sheet.png");
+    const auto shots = [&](int count, const std::string& caption) {
+        std::string script = "wait 2\n";
+        for (int i = 0; i < count; ++i) script += caption + "screenshot " + folder + "shot.png\n";
+        play(*app, script + "wait 1\nquit");
+    };
+    shots(1, "");
+    const view::Picture bare = app->contact_sheet();
+    EXPECT_GT(bare.size.x, view::thumbnail_width);
+    EXPECT_LT(bare.size.x, 2 * view::thumbnail_width);
+    shots(4, "caption The start, again\n");
+    const view::Picture five = app->contact_sheet();
+    EXPECT_GT(five.size.x, 3 * view::thumbnail_width);
+    EXPECT_GT(five.size.y, 2 * bare.size.y - 40);
+    // Ink below the second picture, none below the first.
+    const auto ink = [&](int column) {
+        int dark = 0;
+        for (int y = bare.size.y - 40; y < bare.size.y - 18; ++y)
+            for (int x = 0; x < view::thumbnail_width; ++x)
+                dark += five.at(18 + column * (view::thumbnail_width + 18) + x, y).g < 120;
+        return dark;
+    };
+    EXPECT_EQ(ink(0), 0);
+    EXPECT_GT(ink(1), 100);
 }
 
 TEST(Playground, another_size_is_drawn_at_that_size) {
