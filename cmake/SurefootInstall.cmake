@@ -57,6 +57,11 @@ install(FILES "${PROJECT_BINARY_DIR}/surefoot-config.cmake" "${PROJECT_BINARY_DI
 
 # The .pc file finds its folders from where it lies, so that an installed tree can be moved.
 file(RELATIVE_PATH SUREFOOT_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+# A static library leaves it to whoever links it to bring what it stands on.
+set(SUREFOOT_PC_REQUIRES "Requires")
+if(BUILD_SHARED_LIBS)
+  set(SUREFOOT_PC_REQUIRES "Requires.private")
+endif()
 configure_file("${PROJECT_SOURCE_DIR}/cmake/surefoot.pc.in" "${PROJECT_BINARY_DIR}/surefoot.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/surefoot.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -260,7 +262,22 @@ void App::draw_house_ui() {
         ImGui::Begin("loading", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
-        ImGui::TextUnformatted(("Reading " + levels_->loading() + " ...").c_str());
+        const std::string name = std::filesystem::path(levels_->loading()).filename().string();
+        ImGui::TextUnformatted(name.c_str());
+        view::ui::note(fmt::format("{}, {:.0f} s", levels_->step(), levels_->seconds()));
+        // How much is left is not known; that something happens is.
+        constexpr double round_trip = 1.6;  // [s]
+        const double phase = std::fmod(levels_->seconds(), round_trip) / round_trip;
+        const auto share = static_cast<float>(1 - std::abs(2 * phase - 1));
+        const float letter = ImGui::GetFontSize();
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const ImVec2 bar(letter * 16, letter * 0.4F);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled(low, {low.x + bar.x, low.y + bar.y},
+                           view::packed(view::with_opacity(view::paint::paper, 0.15)));
+        list.AddRectFilled({low.x + share * bar.x * 0.75F, low.y},
+                           {low.x + (share * 0.75F + 0.25F) * bar.x, low.y + bar.y}, view::packed(view::paint::accent));
+        ImGui::Dummy(bar);
         ImGui::End();
     }
     toasts_.draw();

@@ -7,7 +7,7 @@
 
 namespace surefoot::playground {
 
-LevelLoader::Result LevelLoader::read(const std::string& path) {
+LevelLoader::Result LevelLoader::read(const std::string& path, const Progress& progress) {
     const auto failed = [&](const std::string& text) {
         return tl::unexpected(Error{ErrorCode::unreadable, text, path, 0});
     };
@@ -15,6 +15,7 @@ LevelLoader::Result LevelLoader::read(const std::string& path) {
         tools::LevelOptions options;
         options.file = path;
         auto level = std::make_shared<LoadedLevel>(LoadedLevel{tools::load_level(options), {}});
+        *progress = Step::looking;
         const auto report = cook_report(level->level.mesh);
         if (!report) return failed(path + ": " + report.error().text);
         level->report = *report;
@@ -29,9 +30,11 @@ LevelLoader::Result LevelLoader::read(const std::string& path) {
 void LevelLoader::load(const std::string& path, Done done, Failed failed) {
     forget();
     path_ = path;
+    progress_ = std::make_shared<std::atomic<Step>>(Step::reading);
+    began_ = std::chrono::steady_clock::now();
     done_ = std::move(done);
     failed_ = std::move(failed);
-    result_ = std::async(at_once_ ? std::launch::deferred : std::launch::async, read, path);
+    result_ = std::async(at_once_ ? std::launch::deferred : std::launch::async, read, path, progress_);
 }
 
 void LevelLoader::forget() {
@@ -40,6 +43,16 @@ void LevelLoader::forget() {
     path_.clear();
     done_ = nullptr;
     failed_ = nullptr;
+}
+
+std::string_view LevelLoader::step() const {
+    if (path_.empty()) return {};
+    return *progress_ == Step::reading ? "reading and cooking" : "looking for odd spots";
+}
+
+double LevelLoader::seconds() const {
+    if (path_.empty()) return 0;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
 bool LevelLoader::update() {

@@ -1,10 +1,13 @@
 /// Reads levels beside the drawing, so that the window stays alive.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <future>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <surefoot/cook.hpp>
@@ -41,12 +44,21 @@ public:
     /// What is loading, or empty.
     [[nodiscard]] const std::string& loading() const { return path_; }
 
+    /// What is being done with it, for the user, and since when it is loading [s].
+    [[nodiscard]] std::string_view step() const;
+    [[nodiscard]] double seconds() const;
+
 private:
     using Result = Expected<Loaded>;
-    static Result read(const std::string& path);
+    /// How far a load has come; its thread writes it.
+    enum class Step : int { reading, looking };
+    using Progress = std::shared_ptr<std::atomic<Step>>;
+    static Result read(const std::string& path, const Progress& progress);
 
     bool at_once_;
     std::string path_;
+    Progress progress_;
+    std::chrono::steady_clock::time_point began_;
     std::future<Result> result_;
     std::vector<std::future<Result>> forgotten_;  // a future waits for its thread when it goes
     Done done_;

@@ -1,21 +1,25 @@
 // Every screen, by the program itself, without a display.
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <thread>
 
 #include "playground/app.hpp"
 #include "view/gl.hpp"
+#include "view/widgets.hpp"
 
 namespace surefoot::playground {
 namespace {
 
 const std::string ground = SUREFOOT_LEVELS_DIR "/training-ground.glb";
 
-std::unique_ptr<App> open(const std::string& room, const std::string& level = {}) {
+std::unique_ptr<App> open(const std::string& room, const std::string& level = {}, const std::string& sheet = {}) {
     Options options;
     options.headless = true;
     options.room = room;
     options.level = level;
+    options.contact_sheet = sheet;
     options.size = view::ivec2(640, 400);
     options.frames = 100000;
     auto app = App::open(options);
@@ -141,6 +145,70 @@ TEST(Playground, a_dialog_closes_with_the_room_that_opened_it) {
     EXPECT_FALSE(app->stage().browser.is_open());
 }
 
+TEST(Playground, the_dialog_goes_into_folders_and_opens_what_is_chosen) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(::testing::TempDir()) / "surefoot-dialog";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "inner");
+    fs::copy_file(SUREFOOT_LEVELS_DIR "/../examples/yard.obj", folder / "inner/yard.obj");
+    std::ofstream(folder / "inner/notes.txt") << "no level";
+    const auto app = open("walk", ground);
+    play(*app, "wait 2\nquit");
+    std::string chosen;
+    app->stage().browser.open(
+        "Open", {".obj"}, [&](const std::string& path) { chosen = path; }, folder.string());
+    play(*app, "wait 2\nclick \"inner/\"\nwait 2\nquit");
+    EXPECT_FALSE(view::ui::find_item("notes.txt"));
+    play(*app, "click \"Up\"\nwait 2\nclick \"inner/\"\nwait 2\nclick \"yard.obj\"\nwait 2\nquit");
+    EXPECT_EQ(fs::path(chosen), fs::weakly_canonical(folder / "inner/yard.obj"));
+    EXPECT_FALSE(app->stage().browser.is_open());
+    app->stage().browser.open("Open", {".obj"}, [&](const std::string&) { chosen = "again"; });
+    play(*app, "wait 2\nclick \"Cancel\"\nwait 2\nquit");
+    EXPECT_FALSE(app->stage().browser.is_open());
+    EXPECT_NE(chosen, "again");
+}
+
+TEST(Playground, maps_are_fetched_by_the_button_and_the_room_may_be_left_meanwhile) {
+    namespace fs = std::filesystem;
+    const fs::path home = fs::path(::testing::TempDir()) / "surefoot-fetch";
+    fs::remove_all(home);
+    fs::create_directories(home / "levels");
+    const fs::path script = home / "levels/fetch";
+    const std::string level = fs::absolute(ground).string();
+    const fs::path before = fs::current_path();
+    fs::current_path(home);
+    ::setenv("XDG_CACHE_HOME", (home / "cache").c_str(), 1);
+    const auto write = [&](const char* body) {
+        std::ofstream(script) << "#!/bin/sh\n" << body;
+        fs::permissions(script, fs::perms::owner_all);
+    };
+    const auto fetched = [&](App& app) {
+        play(app, "wait 3\nclick \"Fetch OpenArena's maps\"\nwait 1\nquit");
+        for (int i = 0; i < 500 && app.stage().toasts.texts().empty(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            app.frame();
+        }
+        return app.stage().toasts.texts().empty() ? std::string() : app.stage().toasts.texts().back();
+    };
+    write("echo no network today >&2\nexit 1\n");
+    EXPECT_EQ(fetched(*open("walk", level)), "no network today");
+    write("mkdir -p \"$XDG_CACHE_HOME/surefoot/levels/openarena-081-maps\"; test \"$1\" = openarena\n");
+    auto app = open("walk", level);
+    EXPECT_NE(fetched(*app).find("are there"), std::string::npos);
+    play(*app, "wait 2\nquit");
+    EXPECT_FALSE(view::ui::find_item("Fetch OpenArena's maps")) << "they are there";
+    app.reset();
+    fs::remove_all(home / "cache");
+    write("sleep 20\n");
+    const auto slow = open("walk", level);
+    play(*slow, "wait 3\nclick \"Fetch OpenArena's maps\"\nwait 1\nquit");
+    const auto start = std::chrono::steady_clock::now();
+    slow->go_to("");
+    slow->frame();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    fs::current_path(before);
+}
+
 TEST(LevelLoader, a_level_that_was_forgotten_while_it_was_read_never_calls_back) {
     LevelLoader loader(false);
     int called = 0;
@@ -148,10 +216,40 @@ TEST(LevelLoader, a_level_that_was_forgotten_while_it_was_read_never_calls_back)
     loader.load(ground, count, count);
     loader.forget();
     EXPECT_EQ(loader.loading(), "");
+    EXPECT_EQ(loader.step(), "");
     EXPECT_FALSE(loader.update());
     loader.load(ground, count, count);
+    EXPECT_NE(loader.step(), "");
     while (loader.update()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(called, 1);
+}
+
+TEST(Playground, a_contact_sheet_has_every_screenshot_and_its_caption) {
+    const std::string folder = ::testing::TempDir();
+    const auto app = open("", {}, folder + "sheet.png");
+    const auto shots = [&](int count, const std::string& caption) {
+        std::string script = "wait 2\n";
+        for (int i = 0; i < count; ++i) script += caption + "screenshot " + folder + "shot.png\n";
+        play(*app, script + "wait 1\nquit");
+    };
+    shots(1, "");
+    const view::Picture bare = app->contact_sheet();
+    EXPECT_GT(bare.size.x, view::thumbnail_width);
+    EXPECT_LT(bare.size.x, 2 * view::thumbnail_width);
+    shots(4, "caption The start, again\n");
+    const view::Picture five = app->contact_sheet();
+    EXPECT_GT(five.size.x, 3 * view::thumbnail_width);
+    EXPECT_GT(five.size.y, 2 * bare.size.y - 40);
+    // Ink below the second picture, none below the first.
+    const auto ink = [&](int column) {
+        int dark = 0;
+        for (int y = bare.size.y - 40; y < bare.size.y - 18; ++y)
+            for (int x = 0; x < view::thumbnail_width; ++x)
+                dark += five.at(18 + column * (view::thumbnail_width + 18) + x, y).g < 120;
+        return dark;
+    };
+    EXPECT_EQ(ink(0), 0);
+    EXPECT_GT(ink(1), 100);
 }
 
 TEST(Playground, another_size_is_drawn_at_that_size) {

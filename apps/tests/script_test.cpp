@@ -19,10 +19,10 @@ TEST(Script, reads_every_command) {
         "# a comment\n\nframe 10\nwait 2\nmove 640 360.5\npress left\nrelease left\nclick right 1 2\nclick \"Open "
         "...\"\n"
         "drag 100 100 200 220 12  # behind it\nwheel -2\nkey Control+Shift+z\nhold W\nunhold W\ntext 1.5 m\n"
-        "drop my level.obj\nresize 800 600\nscreenshot out.png\nquit\n",
+        "drop my level.obj\nresize 800 600\ncaption what is seen\nscreenshot out.png\nquit\n",
         "tour.txt");
     ASSERT_TRUE(script) << script.error().text;
-    ASSERT_EQ(script->commands.size(), 17U);
+    ASSERT_EQ(script->commands.size(), 18U);
     EXPECT_EQ(script->commands[2].to, dvec2(640, 360.5));
     EXPECT_EQ(script->commands[5].button, MouseButton::right);
     EXPECT_EQ(script->commands[6].text, "Open ...");
@@ -31,7 +31,7 @@ TEST(Script, reads_every_command) {
     EXPECT_EQ(script->commands[9].key, Key::z);
     EXPECT_EQ(script->commands[12].text, "1.5 m");
     EXPECT_EQ(script->commands[13].text, "my level.obj");
-    EXPECT_EQ(script->commands[16].line, 19);
+    EXPECT_EQ(script->commands[17].line, 20);
 }
 
 TEST(Script, errors_name_file_and_line_and_say_how_to_write_it) {
@@ -43,6 +43,17 @@ TEST(Script, errors_name_file_and_line_and_say_how_to_write_it) {
     EXPECT_NE(error_of("drag 1 2 3 4 0").find("at least one frame"), std::string::npos);
     EXPECT_NE(error_of("resize 0 5").find("1 to 16384"), std::string::npos);
     EXPECT_NE(error_of("move nan 5").find("no number"), std::string::npos);
+}
+
+TEST(Script, a_caption_belongs_to_the_next_screenshot_alone) {
+    ScriptPlayer p = player("caption One thing\nscreenshot a.png\nscreenshot b.png\n");
+    const auto first = p.next();
+    const auto second = p.next();
+    ASSERT_TRUE(first && second);
+    ASSERT_EQ(first->screenshots.size(), 1U);
+    EXPECT_EQ(first->screenshots[0].caption, "One thing");
+    EXPECT_EQ(first->screenshots[0].path, "a.png");
+    EXPECT_EQ(second->screenshots.at(0).caption, "");
 }
 
 TEST(Script, a_drag_goes_all_the_way_and_lets_go_at_its_end) {

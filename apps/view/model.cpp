@@ -11,14 +11,7 @@
 namespace surefoot::view {
 namespace {
 
-struct Vertex {
-    gl::vec3 position;
-    std::int8_t normal[4];
-    std::uint32_t info;
-};
-static_assert(sizeof(Vertex) == 20);
-
-constexpr std::size_t chunk_size = 2048;
+constexpr std::size_t chunk_size = 1024;
 
 dvec3 middle(const Triangle& t) {
     return (t.a + t.b + t.c) / 3.0;
@@ -44,6 +37,12 @@ std::int8_t small(float x) {
 
 const void* offset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);
+}
+
+template <typename T>
+void fill(GLenum target, const gl::Buffer& buffer, const std::vector<T>& values) {
+    glBindBuffer(target, buffer.id());
+    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
 }
 
 }  // namespace
@@ -83,7 +82,10 @@ std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleColour& colou
     for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = all[order[i].second];
     all = std::move(sorted);
     model->cut_into_chunks();
-    model->upload(corner_normals(all, shading == Shading::smooth ? 35.0 : 0.0));
+    model->shading_ = shading;
+    for (const gl::vec3& n : corner_normals(all, shading == Shading::smooth ? 35.0 : 0.0))
+        model->normals_.push_back({small(n.x), small(n.y), small(n.z), 0});
+    model->upload();
     model->recolour(colour);
     return model;
 }
@@ -102,22 +104,23 @@ void Model::cut_into_chunks() {
     }
 }
 
-void Model::upload(const std::vector<gl::vec3>& normals) {
+void Model::upload() {
+    struct Vertex {
+        gl::vec3 position;
+        SmallNormal normal;
+        std::uint32_t info;
+    };
+    static_assert(sizeof(Vertex) == 20);
     std::vector<Vertex> vertices;
     vertices.reserve(3 * triangles_.size());
-    for (const SourceTriangle& t : triangles_) {
-        for (const dvec3& corner : {t.triangle.a, t.triangle.b, t.triangle.c}) {
-            const gl::vec3& n = normals[vertices.size()];
-            vertices.push_back({gl::vec3(corner - origin_), {small(n.x), small(n.y), small(n.z), 0}, edges_of(t)});
-        }
-    }
+    for (const SourceTriangle& t : triangles_)
+        for (const dvec3& corner : {t.triangle.a, t.triangle.b, t.triangle.c})
+            vertices.push_back({gl::vec3(corner - origin_), normals_[vertices.size()], edges_of(t)});
     array_ = gl::VertexArray::make();
     vertices_ = gl::Buffer::make();
     colours_ = gl::Buffer::make();
     glBindVertexArray(array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
-                 GL_STATIC_DRAW);
+    fill(GL_ARRAY_BUFFER, vertices_, vertices);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
     glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
     glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, sizeof(Vertex), offset(offsetof(Vertex, info)));
@@ -127,29 +130,62 @@ void Model::upload(const std::vector<gl::vec3>& normals) {
     glBindVertexArray(0);
 }
 
-void Model::recolour(const TriangleColour& colour) {
-    std::vector<Colour> colours;
-    colours.reserve(3 * triangles_.size());
-    for (const SourceTriangle& t : triangles_)
-        colours.insert(colours.end(), 3, colour ? colour(t) : colour_of_surface(t.surface, {}));
-    glBindBuffer(GL_ARRAY_BUFFER, colours_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours.size() * sizeof(Colour)), colours.data(),
-                 GL_STATIC_DRAW);
+void Model::upload_shared(const std::vector<Colour>& colours) {
+    using Vertex = SharedCorners::Vertex;
+    SharedCorners shared(is_flat());
+    for (const Chunk& chunk : chunks_) {
+        shared.begin_chunk();
+        for (int k = 0; k < chunk.count; ++k) {
+            const auto i = static_cast<std::size_t>(chunk.first + k);
+            const Triangle& t = triangles_[i].triangle;
+            shared.add({{{{gl::vec3(t.a - origin_), normals_[3 * i]},
+                          {gl::vec3(t.b - origin_), normals_[3 * i + 1]},
+                          {gl::vec3(t.c - origin_), normals_[3 * i + 2]}}},
+                        colours[i]});
+        }
+    }
+    shared_array_ = gl::VertexArray::make();
+    shared_vertices_ = gl::Buffer::make();
+    shared_indices_ = gl::Buffer::make();
+    glBindVertexArray(shared_array_.id());
+    fill(GL_ARRAY_BUFFER, shared_vertices_, shared.vertices());
+    fill(GL_ELEMENT_ARRAY_BUFFER, shared_indices_, shared.indices());
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
+    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
+    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, colour)));
+    for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+    glBindVertexArray(0);
 }
 
-std::size_t Model::draw(const Frustum& seen) const {
+void Model::recolour(const TriangleColour& colour) {
+    std::vector<Colour> colours;
+    colours.reserve(triangles_.size());
+    for (const SourceTriangle& t : triangles_) colours.push_back(colour ? colour(t) : colour_of_surface(t.surface, {}));
+    upload_shared(colours);
+    std::vector<Colour> thrice;
+    thrice.reserve(3 * colours.size());
+    for (const Colour& c : colours) thrice.insert(thrice.end(), 3, c);
+    fill(GL_ARRAY_BUFFER, colours_, thrice);
+}
+
+std::size_t Model::draw(const Frustum& seen, const gl::vec3& eye, bool with_edges) const {
+    std::vector<std::pair<float, const Chunk*>> order;  // by how far away they are
+    for (const Chunk& chunk : chunks_) {
+        if (!seen.may_see(chunk.low, chunk.high)) continue;
+        const gl::vec3 gap = eye - glm::clamp(eye, chunk.low, chunk.high);
+        order.emplace_back(glm::dot(gap, gap), &chunk);
+    }
+    std::sort(order.begin(), order.end());
     std::size_t drawn = 0;
-    glBindVertexArray(array_.id());
-    for (std::size_t i = 0; i < chunks_.size();) {
-        if (!seen.may_see(chunks_[i].low, chunks_[i].high)) {
-            ++i;
-            continue;
+    glBindVertexArray(with_edges ? array_.id() : shared_array_.id());
+    for (const auto& [square, chunk] : order) {
+        if (with_edges) {
+            glDrawArrays(GL_TRIANGLES, 3 * chunk->first, 3 * chunk->count);
+        } else {
+            glDrawElements(GL_TRIANGLES, 3 * chunk->count, GL_UNSIGNED_INT,
+                           offset(3 * sizeof(std::uint32_t) * static_cast<std::size_t>(chunk->first)));
         }
-        const int first = chunks_[i].first;
-        int count = 0;  // of neighbours that are all seen, in one call
-        for (; i < chunks_.size() && seen.may_see(chunks_[i].low, chunks_[i].high); ++i) count += chunks_[i].count;
-        glDrawArrays(GL_TRIANGLES, 3 * first, 3 * count);
-        drawn += static_cast<std::size_t>(count);
+        drawn += static_cast<std::size_t>(chunk->count);
     }
     glBindVertexArray(0);
     return drawn;

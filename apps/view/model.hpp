@@ -13,6 +13,7 @@
 
 #include "view/colour.hpp"
 #include "view/gl.hpp"
+#include "view/shared_corners.hpp"
 
 namespace surefoot::view {
 
@@ -51,8 +52,13 @@ public:
     /// Another number for every model that was ever made.
     [[nodiscard]] std::uint64_t serial() const { return serial_; }
 
-    /// Draws the chunks that `seen` may see with the program in use; returns how many triangles that were.
-    std::size_t draw(const Frustum& seen) const;
+    /// Is every triangle lit as it is? Then programs take the normal of a triangle's last corner for all of it.
+    [[nodiscard]] bool is_flat() const { return shading_ == Shading::flat; }
+
+    /// Draws the chunks that `seen` may see with the program in use, those nearest to `eye` first, so that what they
+    /// hide need not be shaded; returns how many triangles that were. `with_edges` hands out three corners a triangle,
+    /// which know their place in it; otherwise corners are shared.
+    std::size_t draw(const Frustum& seen, const gl::vec3& eye, bool with_edges) const;
 
 private:
     struct Chunk {
@@ -64,16 +70,26 @@ private:
 
     Model() = default;
     void cut_into_chunks();
-    void upload(const std::vector<gl::vec3>& normals);
+    void upload();
+    void upload_shared(const std::vector<Colour>& colours);
 
     std::vector<SourceTriangle> triangles_;  // in the order of drawing
     std::vector<Chunk> chunks_;
     Bounds bounds_;
     dvec3 origin_{0, 0, 0};
+    Shading shading_ = Shading::flat;
+    std::vector<SmallNormal> normals_;  // of every corner of every triangle
     std::uint64_t serial_ = 0;
+
+    // Three corners a triangle.
     gl::VertexArray array_;
     gl::Buffer vertices_;
     gl::Buffer colours_;
+
+    // Corners that triangles share.
+    gl::VertexArray shared_array_;
+    gl::Buffer shared_vertices_;
+    gl::Buffer shared_indices_;
 };
 
 }  // namespace surefoot::view

@@ -47,6 +47,10 @@ dvec3 Renderer::PlacedModel::origin() const {
     return pose.position + dvec3(turn * glm::dvec4(model->origin(), 0));
 }
 
+gl::vec3 Renderer::PlacedModel::in_model(const dvec3& place) const {
+    return gl::vec3(glm::transpose(turn) * glm::dvec4(place - origin(), 0));
+}
+
 gl::mat4 Renderer::PlacedModel::from_model(const dvec3& eye) const {
     return placed(turn, origin() - eye);
 }
@@ -66,9 +70,10 @@ Renderer::Parts::Parts()
       flat_buffer(gl::Buffer::make()) {
     for (const int shadows : {0, 1}) {
         const std::string define = shadows != 0 ? "#define SHADOWS\n" : "";
-        for (const int edges : {0, 1})
-            mesh[shadows][edges] = gl::Program("mesh", shaders::mesh_vertex, with_light(shaders::mesh_fragment),
-                                               define + (edges != 0 ? "#define EDGES\n" : ""));
+        constexpr const char* looks[] = {"", "#define FLAT\n", "#define EDGES\n"};
+        for (int look = 0; look < 3; ++look)
+            mesh[shadows][look] =
+                gl::Program("mesh", shaders::mesh_vertex, with_light(shaders::mesh_fragment), define + looks[look]);
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());

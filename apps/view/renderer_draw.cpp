@@ -96,7 +96,7 @@ void Renderer::draw_shadows() {
     const auto draw_model = [&](const PlacedModel& m, const ShadowMap& map) {
         const gl::mat4 clip_from_model = map.clip_from(region.middle) * m.from_model(region.middle);
         p.depth.set("clip_from_model", clip_from_model);
-        static_cast<void>(m.model->draw(Frustum(clip_from_model)));
+        static_cast<void>(m.model->draw(Frustum(clip_from_model), m.in_model(region.middle), false));
     };
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 2.0F);
@@ -166,19 +166,21 @@ void Renderer::draw_models() {
     Parts& p = *parts_;
     for (const PlacedModel& m : p.models) {
         const EdgeLook& edges = m.look.edges;
-        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][edges.width > 0 ? 1 : 0];
+        const bool with_edges = edges.width > 0;
+        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][with_edges ? 2 : m.model->is_flat() ? 1 : 0];
         program.use();
         p.light.set(program);
         const gl::mat4 from_model = m.from_model(view_.camera.eye);
         program.set("clip_from_eye", p.clip_from_eye);
         program.set("eye_from_model", from_model);
-        if (edges.width > 0) {
+        if (with_edges) {
             program.set("edge_width", static_cast<float>(edges.width * view_.pixels_per_unit()));
             constexpr const char* names[] = {"edge_colours[0]", "edge_colours[1]", "edge_colours[2]",
                                              "edge_colours[3]"};
             for (int i = 0; i < 4; ++i) program.set(names[i], to_vec4(edges.kinds[i]));
         }
-        counts_.triangles += m.model->draw(Frustum(p.clip_from_eye * from_model));
+        counts_.triangles +=
+            m.model->draw(Frustum(p.clip_from_eye * from_model), m.in_model(view_.camera.eye), with_edges);
     }
 }
 

@@ -18,6 +18,9 @@ struct Renderer::PlacedModel {
     /// Relative to `eye`.
     [[nodiscard]] gl::mat4 from_model(const dvec3& eye) const;
     [[nodiscard]] dvec3 origin() const;
+
+    /// A place of the world as the model's vertices are.
+    [[nodiscard]] gl::vec3 in_model(const dvec3& place) const;
 };
 
 struct Renderer::PlacedShape {
@@ -55,7 +58,7 @@ struct StillShadow {
 struct Renderer::Parts {
     Parts();
 
-    gl::Program mesh[2][2];  // [shadows][edges]
+    gl::Program mesh[2][3];  // [shadows][round, flat, with edges]
     gl::Program shape;
     gl::Program depth;
     gl::Program flat;

@@ -74,6 +74,9 @@ flat out uint v_info;
 uniform mat4 clip_from_eye;
 uniform mat4 eye_from_model;
 out vec3 v_place;
+#ifdef FLAT
+flat
+#endif
 out vec3 v_normal;
 flat out vec4 v_colour;
 void main() {
@@ -93,6 +96,9 @@ void main() {
 /// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface.
 inline constexpr std::string_view mesh_fragment = R"(
 in vec3 v_place;
+#ifdef FLAT
+flat
+#endif
 in vec3 v_normal;
 flat in vec4 v_colour;
 out vec4 result;

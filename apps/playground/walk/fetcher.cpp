@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
+#include <utility>
 
 namespace surefoot::playground {
 namespace {
@@ -61,7 +63,10 @@ bool Fetcher::offers() const {
 }
 
 void Fetcher::begin() {
-    result_ = std::async(std::launch::async, run, script_);
+    // A thread that nobody waits for: the room may be left, and the window closed, while it runs.
+    std::packaged_task<std::string()> task([script = script_] { return run(script); });
+    result_ = task.get_future();
+    std::thread(std::move(task)).detach();
 }
 
 std::optional<std::string> Fetcher::update() {

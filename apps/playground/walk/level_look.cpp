@@ -127,10 +127,11 @@ void LevelLook::ui() {
     ui::checkbox("Rounded", smooth);
     ui::hint("Shades gentle bends as if they were round. What is asked stays flat.");
     ui::checkbox("Edges by kind", edge_kinds);
-    if (edge_kinds)
-        for (std::size_t i = 0; i < 4; ++i) ui::key_colour(view::with_opacity(kind_colours[i], 1), kind_names[i]);
+    ImGui::SameLine();
     bool tree = tree_depth >= 0;
     if (ui::checkbox("Tree", tree)) tree_depth = tree ? std::min(1, deepest_) : -1;
+    if (edge_kinds)
+        for (std::size_t i = 0; i < 4; ++i) ui::key_colour(view::with_opacity(kind_colours[i], 1), kind_names[i]);
     if (tree_depth >= 0) {
         double depth = tree_depth;
         if (ui::slider("Depth", depth, 0, std::max(deepest_, 0), "%.0f")) tree_depth = static_cast<int>(depth + 0.5);
@@ -139,7 +140,7 @@ void LevelLook::ui() {
     int lit = -1;
     std::size_t shown = 0;
     for (const std::uint32_t i : by_size_) {
-        constexpr std::size_t most_shown = 14;
+        constexpr std::size_t most_shown = 8;  // with the rest of the panel, 720 high
         if (++shown > most_shown) {
             ui::note(fmt::format("and {} more", by_size_.size() - most_shown));
             break;
