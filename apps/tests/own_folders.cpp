@@ -4,6 +4,6 @@
 namespace {
 
 [[maybe_unused]] const bool set = setenv("XDG_CACHE_HOME", SUREFOOT_TEST_CACHE, 1) == 0 &&
-                 setenv("SUREFOOT_IMPORTER", SUREFOOT_BUILT_IMPORTER, 1) == 0;
+                                  setenv("SUREFOOT_IMPORTER", SUREFOOT_BUILT_IMPORTER, 1) == 0;
 
 }  // namespace

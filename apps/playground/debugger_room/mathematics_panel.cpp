@@ -112,7 +112,7 @@ bool MathematicsPanel::update(double dt, Inquiry& /*inquiry*/) {
 
 std::optional<std::pair<dvec3, double>> MathematicsPanel::scene_frame() const {
     if (!method_ || !beside_) return std::nullopt;
-    return std::pair((whole_.min + whole_.max) * 0.5, glm::length(whole_.max - whole_.min) * 0.5);
+    return std::pair((whole_.min + whole_.max) * 0.5, glm::length(whole_.max - whole_.min) * 0.95);
 }
 
 void MathematicsPanel::draw(view::Renderer& renderer, const Inquiry& inquiry) {

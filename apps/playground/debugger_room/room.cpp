@@ -328,7 +328,8 @@ void Debugger::panel_opened() {
         if (!before_lesson_) before_lesson_ = orbit_.goal();
         drag_.reset();
         if (seen) {
-            const dvec3 half(seen->second * 0.577);  // of the cube in a ball of that radius
+            // Of the cube in a ball of that radius; beside the question's own panel there is room for half of that.
+            const dvec3 half(seen->second * (has_lesson() ? 0.577 : 0.3));
             orbit_.frame({seen->first - half, seen->first + half});
         }
     } else if (before_lesson_) {
