@@ -255,6 +255,7 @@ public:
         glBindFramebuffer(GL_FRAMEBUFFER, display_->framebuffer());
         glViewport(0, 0, display_->framebuffer_size().x, display_->framebuffer_size().y);
         imgui_->end_frame();
+        imgui_->paint();
     }
 
     /// A script, as docs/playground.md has them.

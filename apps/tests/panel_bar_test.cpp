@@ -47,6 +47,7 @@ protected:
         imgui_.begin_frame(1.0 / 60);
         const bool other = bar_->ui(inquiry_, 80);
         imgui_.end_frame();
+        imgui_.paint();
         return other;
     }
 

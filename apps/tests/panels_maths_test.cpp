@@ -137,6 +137,7 @@ private:
         glBindFramebuffer(GL_FRAMEBUFFER, display_->framebuffer());
         glViewport(0, 0, display_->framebuffer_size().x, display_->framebuffer_size().y);
         imgui_->end_frame();
+        imgui_->paint();
     }
 
     Question question_;
