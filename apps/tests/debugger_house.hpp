@@ -22,7 +22,7 @@ struct DebuggerHouse {
         options.level = level;
         options.size = size;
         options.frames = 1000000;
-        options.timing = true;  // every frame is drawn, as in a window
+        options.timing = true;        // every frame is drawn, as in a window
         options.preset = "software";  // no shadows: what is drawn is the shapes alone
         auto opened = App::open(options);
         EXPECT_TRUE(opened) << opened.error().text;
