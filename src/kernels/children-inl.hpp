@@ -110,6 +110,7 @@ public:
     HWY_INLINE void push_root() noexcept { nodes_[end_++] = 0; }
     [[nodiscard]] HWY_INLINE bool is_empty() const noexcept { return begin_ == end_; }
 
+    [[nodiscard]] HWY_INLINE bool has_overflowed() const noexcept { return has_overflowed_; }
     HWY_INLINE void clear() noexcept { begin_ = end_ = 0; }
 
     HWY_INLINE std::uint32_t pop() noexcept {
@@ -119,12 +120,15 @@ public:
         return node;
     }
 
-    // Returns those that were added.
+    // Returns those that were added. None are, and it says so, where more wait than in any tree that was built: one of
+    // bytes that nobody wrote may be deeper.
     HWY_INLINE std::span<const std::uint32_t> add(const ChosenChildren& children) noexcept {
         if (end_ + tree_width > room) {
             for (std::size_t i = begin_; i < end_; ++i) nodes_[i - begin_] = nodes_[i];
             end_ -= begin_;
             begin_ = 0;
+            has_overflowed_ = end_ + tree_width > room;
+            if (has_overflowed_) return {};
         }
         const std::size_t count = children.put_nodes(nodes_ + end_);
         end_ += count;
@@ -137,6 +141,7 @@ private:
 
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
+    bool has_overflowed_ = false;
     std::uint32_t nodes_[room];
 };
 

@@ -55,20 +55,22 @@ public:
         const WideNode& node = view.nodes[index];
         ++search_.nodes;
         // Every node has one parent, so no more than all of them can be opened.
-        if (left_-- == 0) {
-            search_.overflowed = true;
-            nodes_.clear();
-            return;
-        }
+        if (left_-- == 0) return give_up();
         const ChosenChildren children(node, index, view.nodes.size(), children_in(node, region_));
         for (const std::uint32_t word : leaves_.add(children)) prefetch_leaf(view, word);
         for (const std::uint32_t child : nodes_.add(children)) {
             hwy::Prefetch(&view.nodes[child]);
             hwy::Prefetch(reinterpret_cast<const char*>(&view.nodes[child]) + 64);  // a node may lie across two lines
         }
+        if (nodes_.has_overflowed()) give_up();
     }
 
 private:
+    HWY_INLINE void give_up() noexcept {
+        search_.overflowed = true;
+        nodes_.clear();
+    }
+
     MeshSearch& search_;
     FloatRegion region_;
     std::size_t left_;
