@@ -1,4 +1,5 @@
 // surefoot bench: how fast, next to what, and was there anything to hit?
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,10 +1,13 @@
 /// What the subcommands share: how they join the program, and what their exit codes mean.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
+
+namespace CLI {
+class App;  // its header takes seconds to compile
+}
 
 namespace surefoot::tools {
 

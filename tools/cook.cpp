@@ -1,4 +1,5 @@
 // surefoot cook: levels become one file that is mapped and not parsed.
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 // surefoot export: the triangles exactly as they are held, for any other program to look at.
+#include <CLI/CLI.hpp>
 #include <bit>
 #include <cstdio>
 #include <filesystem>

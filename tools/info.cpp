@@ -1,4 +1,5 @@
 // surefoot info: what is in a level?
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>

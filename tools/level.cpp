@@ -1,5 +1,6 @@
 #include "level.hpp"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <fmt/format.h>
 #include <utility>

@@ -1,13 +1,16 @@
 /// A level as the commands use it: the mesh, what its surfaces are called, and how long it took to read.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <surefoot/import.hpp>
 #include <surefoot/mesh.hpp>
+
+namespace CLI {
+class App;  // its header takes seconds to compile
+}
 
 namespace surefoot::tools {
 

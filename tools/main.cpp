@@ -1,4 +1,5 @@
 // One program, `surefoot`: each subcommand is in a file of its own.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>
 #include <string>

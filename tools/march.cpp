@@ -1,4 +1,5 @@
 // surefoot march: walk along a jump or along a path from a file, step by step.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,12 +1,15 @@
 /// Options that several subcommands share, and how their texts become values.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include <surefoot/shapes.hpp>
 
 #include "parse.hpp"
+
+namespace CLI {
+class App;  // its header takes seconds to compile
+}
 
 namespace surefoot::tools {
 

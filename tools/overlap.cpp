@@ -1,4 +1,5 @@
 // surefoot overlap: what does a shape, standing still, touch, and which way is out?
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <vector>

@@ -1,4 +1,5 @@
 // surefoot ray: where does a line of sight first meet the level?
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,5 @@
 // surefoot replay: a saved moment is asked again. The same bits?
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
 #include <vector>

@@ -1,4 +1,5 @@
 // surefoot sweep: when does a moving shape first touch the level? One question, or a batch of them.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>

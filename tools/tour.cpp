@@ -1,4 +1,5 @@
 // surefoot tour: moves a body along a route through a level, prints what it meets, and draws it.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

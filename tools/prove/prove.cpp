@@ -1,4 +1,5 @@
 // surefoot prove: asks the library about families of hard queries and has every answer judged in exact numbers.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
