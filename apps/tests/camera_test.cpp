@@ -1,12 +1,15 @@
 #include "view/camera.hpp"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "view/fly_camera.hpp"
 #include "view/orbit_camera.hpp"
+#include "view/text.hpp"
 
 namespace surefoot::view {
 namespace {
@@ -75,6 +78,56 @@ TEST(OrbitCamera, framing_brings_all_corners_into_the_picture) {
     }
 }
 
+TEST(Camera, with_a_shifted_lens_a_ray_projects_back_and_straight_ahead_is_off_the_middle) {
+    Camera camera = tilted();
+    camera.lens_shift = {0.4, -0.25};
+    for (const dvec2 at : {dvec2(0, 0), dvec2(640, 360), dvec2(1279, 5)}) {
+        const auto back = camera.project(camera.eye + camera.direction(at, size) * 25.0, size);
+        ASSERT_TRUE(back);
+        EXPECT_NEAR(back->at.x, at.x, 1e-4);
+        EXPECT_NEAR(back->at.y, at.y, 1e-4);
+    }
+    const auto ahead = camera.project(camera.eye + camera.forward * 9.0, size);
+    ASSERT_TRUE(ahead);
+    EXPECT_NEAR(ahead->at.x, 640 * 1.4, 1e-4);
+    EXPECT_NEAR(ahead->at.y, 360 * 1.25, 1e-4);
+    // What is drawn goes by the matrix, and what is picked by the ray.
+    const dvec3 place = camera.eye + camera.direction({200, 600}, size) * 25.0;
+    const auto clip = camera.projection(1280.0 / 720) * camera.turn() * glm::dvec4(place - camera.eye, 1);
+    EXPECT_NEAR((clip.x / clip.w + 1) / 2 * 1280, 200, 1e-4);
+    EXPECT_NEAR((1 - clip.y / clip.w) / 2 * 720, 600, 1e-4);
+}
+
+TEST(OrbitCamera, places_are_framed_in_a_part_of_the_picture_and_fill_it) {
+    const std::vector<dvec3> places{{-3, 0, 1}, {4, 9, -2}, {1, -6, 12}, {0, 2, 0}, {7, 1, 7}};
+    for (const Area& part : {Area{{340, 14}, {820, 630}}, Area{{20, 500}, {1200, 700}}, Area{{0, 0}, {1280, 720}}}) {
+        for (const double yaw : {0.62, 2.2, -2.0}) {
+            OrbitCamera orbit;
+            orbit.go_to({.pivot = {500, 0, 0}, .yaw = yaw, .pitch = 0.34, .distance = 3});
+            orbit.frame(places, part, size);
+            settle(orbit);
+            dvec2 low(1e9);
+            dvec2 high(-1e9);
+            for (const dvec3& place : places) {
+                const auto at = orbit.camera().project(place, size);
+                ASSERT_TRUE(at);
+                low = glm::min(low, at->at);
+                high = glm::max(high, at->at);
+            }
+            EXPECT_GE(low.x, part.low.x - 0.5);
+            EXPECT_GE(low.y, part.low.y - 0.5);
+            EXPECT_LE(high.x, part.high.x + 0.5);
+            EXPECT_LE(high.y, part.high.y + 0.5);
+            const dvec2 filled = (high - low) / part.size();
+            EXPECT_NEAR(std::max(filled.x, filled.y), 1, 0.01) << "it could be seen from nearer";
+            EXPECT_EQ(orbit.stand().yaw, yaw);
+            const auto pivot = orbit.camera().project(orbit.stand().pivot, size);
+            ASSERT_TRUE(pivot);
+            EXPECT_NEAR(glm::length(pivot->at - part.middle()), 0, 0.5) << "a drag would not turn about the middle";
+        }
+    }
+}
+
 TEST(OrbitCamera, the_wheel_keeps_what_is_under_the_pointer_under_it) {
     OrbitCamera orbit;
     orbit.jump_to({.pivot = {0, 0, 0}, .distance = 20});
@@ -132,6 +185,25 @@ TEST(FlyCamera, losing_the_focus_lets_all_keys_go) {
     fly.event(KeyPress{Key::w, true, false, {}});
     fly.event(FocusChange{false});
     EXPECT_FALSE(fly.update(1.0 / 60));
+}
+
+TEST(Labels, that_yield_step_aside_by_little_and_the_others_stay) {
+    const auto box = [](double x, double y, bool yields) { return LabelBox{{{x, y}, {x + 60, y + 20}}, yields}; };
+    LabelBox boxes[] = {box(100, 105, true), box(100, 110, true), box(100, 100, false), box(300, 100, true),
+                        box(130, 100, false)};
+    const LabelBox before[] = {boxes[0], boxes[1], boxes[2], boxes[3], boxes[4]};
+    step_aside(boxes);
+    for (std::size_t i = 0; i < std::size(boxes); ++i) {
+        EXPECT_EQ(boxes[i].area.size(), before[i].area.size());
+        EXPECT_EQ(boxes[i].area.low.x, before[i].area.low.x) << "only up or down";
+        EXPECT_LE(std::abs(boxes[i].area.low.y - before[i].area.low.y), 50);
+        if (i > 1) {
+            EXPECT_EQ(boxes[i].area.low, before[i].area.low) << i;
+        }
+    }
+    EXPECT_GE(boxes[0].area.low.y, 120) << "it lay on one that does not yield";
+    EXPECT_LE(boxes[0].area.low.y, 126);
+    EXPECT_LE(boxes[1].area.high.y, 100) << "the nearer side is taken";
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "debugger_house.hpp"
+#include "playground/debugger_room/contest_view.hpp"
+#include "view/widgets.hpp"
 
 namespace surefoot::playground {
 namespace {
@@ -136,12 +138,80 @@ TEST(DebuggerRoom, a_drag_elsewhere_turns_the_camera_and_asks_nothing_else) {
     EXPECT_TRUE(house.question() == before);
 }
 
-TEST(DebuggerRoom, the_camera_looks_at_the_middle_of_the_motion_after_a_drop) {
+TEST(DebuggerRoom, the_camera_looks_at_the_middle_of_the_motion_after_a_drop_beside_the_panels) {
     const DebuggerHouse house;
     house.drag(house.on_picture(house.question().motion.from), {60, 20});
     const Motion motion = house.question().motion;
     const dvec2 middle = house.on_picture((motion.from + motion.to) * 0.5);
-    EXPECT_LT(glm::length(middle - dvec2(house.app->stage().display.size()) * 0.5), 2);
+    const view::Area part = view::ui::uncovered(house.app->stage().display.size());
+    EXPECT_LT(glm::length(middle - part.middle()), 4);
+}
+
+/// Is all of this seen in what the panels leave free?
+void expect_beside_the_panels(const DebuggerHouse& house, const std::vector<dvec3>& places, const std::string& what) {
+    const view::Area part = view::ui::uncovered(house.app->stage().display.size());
+    for (const dvec3& place : places) {
+        const dvec2 at = house.on_picture(place);
+        EXPECT_GT(at.x, part.low.x) << what;
+        EXPECT_LT(at.x, part.high.x) << what;
+        EXPECT_GT(at.y, part.low.y) << what;
+        EXPECT_LT(at.y, part.high.y) << what;
+    }
+}
+
+TEST(DebuggerRoom, all_of_a_question_is_seen_beside_the_panels_in_large_windows_and_small_ones) {
+    for (const view::ivec2 size : {view::ivec2(1280, 720), view::ivec2(800, 600)}) {
+        const DebuggerHouse house({}, size);
+        const debugger::Question question = house.question();
+        std::vector<dvec3> places{question.motion.from, question.motion.to};
+        for (const Triangle& t : question.triangles) places.insert(places.end(), {t.a, t.b, t.c});
+        expect_beside_the_panels(house, places, "no panel");
+        for (const std::string panel : {"Mathematics", "Strategies", "Search"}) {
+            house.play("click \"" + panel + "\"\nwait 90");
+            expect_beside_the_panels(house, places, panel);
+            const view::dvec2 free = view::ui::uncovered(size).size();
+            EXPECT_GT(std::min(free.x, free.y), 300) << panel << " leaves too little";
+        }
+        // Back where it was, when the panel is closed again.
+        house.play("click \"Search\"\nwait 90");
+        expect_beside_the_panels(house, places, "closed again");
+    }
+}
+
+TEST(DebuggerRoom, every_course_of_a_lesson_is_seen_beside_its_panel_in_a_small_window_too) {
+    for (const view::ivec2 size : {view::ivec2(1280, 720), view::ivec2(800, 600)}) {
+        const DebuggerHouse house({}, size);
+        house.play("click \"Side by side\"");
+        for (const auto& [label, course] : {std::pair("Stairs", Course::stairs), std::pair("Ledge", Course::ledge),
+                                            std::pair("Slope", Course::slope)}) {
+            house.play(std::string("click \"") + label + "\"\nwait 90");
+            Contest contest;
+            contest.choose(course);
+            expect_beside_the_panels(house, ContestView::places(contest), label);
+        }
+    }
+}
+
+TEST(DebuggerRoom, without_its_squashed_world_the_real_one_is_seen_from_nearer) {
+    const DebuggerHouse house({}, {1280, 720});
+    const debugger::Question question = house.question();
+    const auto length = [&] {
+        return glm::length(house.on_picture(question.motion.from) - house.on_picture(question.motion.to));
+    };
+    house.play("click \"Mathematics\"\nwait 90");
+    const double both = length();
+    house.play("click \"Squashed world\"\nwait 90");
+    EXPECT_GT(length(), both * 1.3);
+    expect_beside_the_panels(house, {question.motion.from, question.motion.to}, "alone");
+}
+
+TEST(DebuggerRoom, what_a_hand_has_turned_stays_turned_when_a_panel_opens) {
+    const DebuggerHouse house;
+    house.drag({880, 300}, {60, 30});
+    const view::Camera before = house.camera();
+    house.play("click \"Strategies\"\nwait 90");
+    EXPECT_LT(glm::length(house.camera().eye - before.eye), 1e-6);
+    EXPECT_NE(house.camera().lens_shift, before.lens_shift) << "the panel would lie over it";
 }
 
 TEST(DebuggerRoom, a_drag_is_one_step_that_is_undone_and_redone) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "playground/debugger_room/contest.hpp"
+#include "playground/debugger_room/lesson_view.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "playground/debugger_room/voxel_play.hpp"
 #include "view/gl.hpp"
@@ -226,14 +227,13 @@ public:
 
     /// Stands where the room would.
     void look() {
-        const auto frame = panel_->scene_frame();
-        ASSERT_TRUE(frame);
-        const dvec3 half(frame->second / std::sqrt(3.0));
-        camera_.frame({frame->first - half, frame->first + half});
-        auto stand = camera_.goal();
-        stand.yaw = 0.62;
-        stand.pitch = 0.36;
-        camera_.jump_to(stand);
+        const auto places = panel_->scene_places();
+        ASSERT_FALSE(places.empty());
+        constexpr double panel = 460;  // with its margins
+        const view::dvec2 size(display_->size());
+        camera_.jump_to({.yaw = lesson_yaw, .pitch = lesson_pitch});
+        camera_.frame(places, {{0, 0}, {std::max(size.x - panel, 300.0), size.y}}, display_->size());
+        camera_.arrive();
     }
 
     /// Lets time go by without anybody who looks.

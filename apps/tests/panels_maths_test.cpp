@@ -102,11 +102,12 @@ private:
         const Motion& motion = question_.motion;
         view::OrbitCamera::Stand stand{.pivot = (motion.from + motion.to) * 0.5, .yaw = 0.35, .pitch = 0.42};
         stand.distance = 2.1 * glm::length(motion.to - motion.from) + 3;
-        if (const auto seen = panel_->scene_frame()) {
-            stand.pivot = seen->first;
-            stand.distance = seen->second;
-        }
         camera.jump_to(stand);
+        if (const auto places = panel_->scene_places(); !places.empty()) {
+            camera.frame(places, {{0, 0}, dvec2(size)}, size);
+            camera.arrive();
+            stand = camera.stand();
+        }
         // What is looked at stands in the middle of what the panel leaves free.
         const view::Camera seen = camera.camera();
         stand.pivot += seen.right() * (seen.unit_at(stand.distance, display_->size()) * 215);
@@ -256,7 +257,7 @@ TEST(MathematicsPanel, of_a_box_is_a_table_of_planes_and_there_is_no_world_besid
     Question q = debugger::default_question(WorldKind::wedge);
     q.shape = debugger::ShapeName::box;
     Studio studio(make_mathematics_panel(), q);
-    EXPECT_FALSE(studio.panel().scene_frame());
+    EXPECT_TRUE(studio.panel().scene_places().empty());
     studio.click("face");
     studio.move({5, 5});
     static_cast<void>(studio.photo("mathematics-box"));

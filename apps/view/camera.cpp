@@ -22,13 +22,16 @@ dmat4 Camera::turn() const {
 }
 
 dmat4 Camera::projection(double width_to_height) const {
-    return glm::perspective(field_of_view, width_to_height, nearest, farthest);
+    dmat4 clip = glm::perspective(field_of_view, width_to_height, nearest, farthest);
+    clip[2][0] -= lens_shift.x;
+    clip[2][1] -= lens_shift.y;
+    return clip;
 }
 
 dvec3 Camera::direction(const dvec2& at, const ivec2& size) const {
     const double half = std::tan(field_of_view / 2);
-    const double x = (2 * at.x / size.x - 1) * half * size.x / size.y;
-    const double y = (1 - 2 * at.y / size.y) * half;
+    const double x = (2 * at.x / size.x - 1 - lens_shift.x) * half * size.x / size.y;
+    const double y = (1 - 2 * at.y / size.y - lens_shift.y) * half;
     return glm::normalize(forward + right() * x + above() * y);
 }
 
@@ -41,8 +44,8 @@ std::optional<Projected> Camera::project(const dvec3& place, const ivec2& size) 
     const double depth = glm::dot(to, forward);
     if (!(depth > nearest)) return std::nullopt;
     const double half = std::tan(field_of_view / 2) * depth;
-    const double x = glm::dot(to, right()) / (half * size.x / size.y);
-    const double y = glm::dot(to, above()) / half;
+    const double x = glm::dot(to, right()) / (half * size.x / size.y) + lens_shift.x;
+    const double y = glm::dot(to, above()) / half + lens_shift.y;
     return Projected{{(x + 1) / 2 * size.x, (1 - y) / 2 * size.y}, depth};
 }
 

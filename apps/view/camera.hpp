@@ -15,6 +15,15 @@ namespace surefoot::view {
 
 using glm::dmat4;
 
+/// A part of the picture [window units from the upper left].
+struct Area {
+    dvec2 low{0, 0};
+    dvec2 high{0, 0};
+
+    [[nodiscard]] dvec2 middle() const { return (low + high) * 0.5; }
+    [[nodiscard]] dvec2 size() const { return high - low; }
+};
+
 /// A place on the picture.
 struct Projected {
     dvec2 at{0, 0};    ///< in window units from the upper left
@@ -28,6 +37,7 @@ struct Camera {
     double field_of_view = 0.87;  ///< of the picture's height [rad, 0.01 to 3]
     double nearest = 0.05;        ///< what is nearer than this is not drawn [m]
     double farthest = 5000;       ///< nor what is farther [m]
+    dvec2 lens_shift{0, 0};       ///< where on the picture straight ahead is: right, up [-1 to 1, of its half]
 
     [[nodiscard]] dvec3 right() const;
     [[nodiscard]] dvec3 above() const;  ///< the picture's up

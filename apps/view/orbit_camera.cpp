@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace surefoot::view {
@@ -39,6 +40,7 @@ Camera OrbitCamera::camera() const {
     camera.forward = -out;
     camera.up = up_;
     camera.field_of_view = field_of_view;
+    camera.lens_shift = lens_shift_;
     camera.nearest = std::clamp(now_.distance * 0.01, 1e-5, 0.2);
     camera.farthest = std::max(4000.0, now_.distance * 20);
     return camera;
@@ -98,10 +100,12 @@ bool OrbitCamera::update(double dt) {
     now_.yaw += (goal_.yaw - now_.yaw) * share;
     now_.pitch += (goal_.pitch - now_.pitch) * share;
     now_.distance *= std::pow(goal_.distance / now_.distance, share);
+    lens_shift_ += (lens_goal_ - lens_shift_) * share;
     const bool moves = glm::length(goal_.pivot - now_.pivot) > 1e-4 * now_.distance ||
                        std::abs(goal_.yaw - now_.yaw) > 1e-4 || std::abs(goal_.pitch - now_.pitch) > 1e-4 ||
-                       std::abs(goal_.distance / now_.distance - 1) > 1e-4;
-    if (!moves) now_ = goal_;
+                       std::abs(goal_.distance / now_.distance - 1) > 1e-4 ||
+                       glm::length(lens_goal_ - lens_shift_) > 1e-4;
+    if (!moves) arrive();
     return moves;
 }
 
@@ -112,12 +116,51 @@ void OrbitCamera::frame(const Bounds& bounds) {
     goal_ = within_limits(goal_);
 }
 
+void OrbitCamera::frame(std::span<const dvec3> places, const Area& part, const ivec2& size) {
+    // Seen along the view, a place at (x, y) and `z` ahead is within the part if |x - eye.x| <= (z - eye.z) slope.x,
+    // and likewise for y. Each place bounds how far ahead the eye may stand, and where; these are the tightest bounds.
+    const dvec3 ahead = -outward(goal_);
+    const dvec3 right = glm::normalize(glm::cross(ahead, up_));
+    const dvec3 above = glm::cross(right, ahead);
+    const dvec2 slope = part.size() / double(size.y) * std::tan(field_of_view / 2);
+    constexpr double none = 1e300;
+    dvec2 most(-none);
+    dvec2 least(none);
+    dvec2 near_and_far(none, -none);
+    for (const dvec3& place : places) {
+        const dvec2 at(glm::dot(place, right), glm::dot(place, above));
+        const double z = glm::dot(place, ahead);
+        most = glm::max(most, at - slope * z);
+        least = glm::min(least, at + slope * z);
+        near_and_far = {std::min(near_and_far.x, z), std::max(near_and_far.y, z)};
+    }
+    const dvec2 eye = (most + least) * 0.5;
+    const dvec2 nearest = (least - most) * 0.5 / slope;
+    const double middle = (near_and_far.x + near_and_far.y) * 0.5;
+    // A single place has no size, and something has to be between it and the eye.
+    goal_.distance = std::max(middle - std::min(nearest.x, nearest.y), 1e-3);
+    goal_.pivot = right * eye.x + above * eye.y + ahead * middle;
+    goal_ = within_limits(goal_);
+    keep_pivot_in(part, size);
+}
+
+void OrbitCamera::keep_pivot_in(const Area& part, const ivec2& size) {
+    const dvec2 at = part.middle() / dvec2(size) * 2.0 - 1.0;
+    lens_goal_ = {at.x, -at.y};
+}
+
+void OrbitCamera::arrive() {
+    now_ = goal_;
+    lens_shift_ = lens_goal_;
+}
+
 void OrbitCamera::go_to(const Stand& stand) {
     goal_ = within_limits(stand);
 }
 
 void OrbitCamera::jump_to(const Stand& stand) {
-    now_ = goal_ = within_limits(stand);
+    goal_ = within_limits(stand);
+    arrive();
 }
 
 void OrbitCamera::take(const Camera& camera, double distance) {

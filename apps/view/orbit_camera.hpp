@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "view/camera.hpp"
 
@@ -15,6 +16,8 @@ public:
         double yaw = 0.7;      ///< about up [rad]
         double pitch = 0.5;    ///< how high the eye stands [rad, -1.55 to 1.55]
         double distance = 10;  ///< [m, 1e-4 to 1e7]
+
+        friend bool operator==(const Stand&, const Stand&) = default;
     };
 
     explicit OrbitCamera(const dvec3& up = {0, 1, 0});
@@ -29,9 +32,19 @@ public:
     /// Goes to look at all of this, from where it looks now.
     void frame(const Bounds& bounds);
 
+    /// Goes to where all of these places are seen within a part of the picture, as near as that can be had, and keeps
+    /// the pivot in the middle of that part from now on. Requires: at least one place, and a part with some room.
+    void frame(std::span<const dvec3> places, const Area& part, const ivec2& size);
+
+    /// From now on the pivot is seen in the middle of a part of the picture.
+    void keep_pivot_in(const Area& part, const ivec2& size);
+
     /// Goes there, or is there at once.
     void go_to(const Stand& stand);
     void jump_to(const Stand& stand);
+
+    /// Is at once where it was on its way to.
+    void arrive();
 
     /// Looks as `camera` does, at once, around a place `distance` in front of it.
     void take(const Camera& camera, double distance);
@@ -51,6 +64,8 @@ private:
     dvec3 up_;
     Stand now_;
     Stand goal_;
+    dvec2 lens_shift_{0, 0};
+    dvec2 lens_goal_{0, 0};
     std::optional<MouseButton> drag_;
 };
 

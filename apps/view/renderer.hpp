@@ -55,6 +55,7 @@ struct Label {
     Colour colour = paint::paper;
     dvec2 offset{0, 0};    ///< from the place, in window units, y down
     double behind = 0.35;  ///< opacity where something hides the place, for whoever asks
+    bool yields = false;   ///< steps aside, up or down, where it would lie on another
 };
 
 struct FrameCounts {

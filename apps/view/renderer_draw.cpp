@@ -221,9 +221,11 @@ void Renderer::draw_sky() {
     const Camera& camera = view_.camera;
     const double half = std::tan(camera.field_of_view / 2);
     p.sky.use();
-    p.sky.set("view_forward", vec3(camera.forward));
-    p.sky.set("view_right", vec3(camera.right() * (half * view_.framebuffer.x / view_.framebuffer.y)));
-    p.sky.set("view_above", vec3(camera.above() * half));
+    const dvec3 right = camera.right() * (half * view_.framebuffer.x / view_.framebuffer.y);
+    const dvec3 above = camera.above() * half;
+    p.sky.set("view_forward", vec3(camera.forward - right * camera.lens_shift.x - above * camera.lens_shift.y));
+    p.sky.set("view_right", vec3(right));
+    p.sky.set("view_above", vec3(above));
     p.sky.set("up", p.light.up);
     p.sky.set("to_sun", p.light.to_sun);
     p.sky.set("zenith", sky.zenith);

@@ -5,6 +5,7 @@
 
 #include "view/colour.hpp"
 #include "view/theme.hpp"
+#include "view/widgets.hpp"
 
 namespace surefoot::view {
 namespace {
@@ -29,17 +30,20 @@ bool Toasts::update(double dt) {
 void Toasts::draw() const {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float letter = ImGui::GetFontSize();
-    float bottom = size.y - letter * 1.6F;
+    // At the bottom of what panels leave free: what a toast lies on, nobody can press.
+    const Area part = ui::uncovered(ivec2(static_cast<int>(size.x), static_cast<int>(size.y)));
+    const auto middle = static_cast<float>(part.middle().x);
+    float bottom = static_cast<float>(part.high.y) - letter;
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     for (auto toast = toasts_.rbegin(); toast != toasts_.rend(); ++toast) {
         const char* const begin = toast->text.data();
         const char* const end = begin + toast->text.size();
-        const float wrap = std::min(size.x * 0.6F, letter * 48);
+        const float wrap = std::min(std::max(static_cast<float>(part.size().x) * 0.85F, letter * 16), letter * 48);
         const ImVec2 text = ImGui::CalcTextSize(begin, end, false, wrap);
         const double opacity = std::clamp(std::min(toast->age / 0.15, (toast->life - toast->age) / 0.4), 0.0, 1.0);
         const float pad = letter * 0.75F;
-        const ImVec2 low((size.x - text.x) / 2 - pad, bottom - text.y - 1.4F * pad);
-        const ImVec2 high((size.x + text.x) / 2 + pad, bottom);
+        const ImVec2 low(middle - text.x / 2 - pad, bottom - text.y - 1.4F * pad);
+        const ImVec2 high(middle + text.x / 2 + pad, bottom);
         const Colour mark = toast->kind == Kind::warning ? paint::hit : paint::accent;
         list.AddRectFilled(low, high, packed(with_opacity(rgb(0x1B242D), 0.95 * opacity)), letter * 0.5F);
         list.AddRectFilled({low.x, low.y + letter * 0.4F}, {low.x + letter * 0.22F, high.y - letter * 0.4F},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <imgui.h>
 #include <map>
+#include <vector>
 
 #include "view/fonts.hpp"
 #include "view/theme.hpp"
@@ -17,6 +18,17 @@ struct Items {
 
 Items& items() {
     static Items all;
+    return all;
+}
+
+/// What panels cover.
+struct Covered {
+    std::vector<Area> now;
+    std::vector<Area> before;
+};
+
+Covered& covered() {
+    static Covered all;
     return all;
 }
 
@@ -63,6 +75,7 @@ bool begin(const char* title, const Panel& panel) {
         ImGui::Begin(title, nullptr,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    covers();
     if (open) ImGui::Dummy({width - 2 * ImGui::GetStyle().WindowPadding.x, 0});
     if (open) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     return open;
@@ -211,9 +224,51 @@ std::string known_items() {
     return text;
 }
 
+void covers() {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    covered().now.push_back({{low.x, low.y}, {low.x + size.x, low.y + size.y}});
+}
+
+Area uncovered(const ivec2& size) {
+    const auto& panels = covered().now.empty() ? covered().before : covered().now;
+    // Each side of the largest part is a side of the picture or of a panel, or it could be larger.
+    std::vector<double> xs{0, double(size.x)};
+    std::vector<double> ys{0, double(size.y)};
+    for (const Area& panel : panels) {
+        xs.insert(xs.end(), {panel.low.x, panel.high.x});
+        ys.insert(ys.end(), {panel.low.y, panel.high.y});
+    }
+    const auto is_free = [&](const Area& part) {
+        return std::none_of(panels.begin(), panels.end(), [&](const Area& panel) {
+            return panel.low.x < part.high.x && part.low.x < panel.high.x && panel.low.y < part.high.y &&
+                   part.low.y < panel.high.y;
+        });
+    };
+    // What is looked at is about as wide as high, so that a long strip is worth no more than a piece of it.
+    const auto worth = [](const dvec2& extent) {
+        constexpr double longest = 1.6;
+        return std::min(extent.x, longest * extent.y) * std::min(extent.y, longest * extent.x);
+    };
+    Area largest{{0, 0}, {0, 0}};
+    for (const double left : xs)
+        for (const double right : xs)
+            for (const double top : ys)
+                for (const double bottom : ys) {
+                    const Area part{{left, top}, {right, bottom}};
+                    const dvec2 extent = part.size();
+                    if (extent.x > 0 && extent.y > 0 && left >= 0 && top >= 0 && right <= size.x && bottom <= size.y &&
+                        worth(extent) > worth(largest.size()) && is_free(part))
+                        largest = part;
+                }
+    return largest.size().x > 0 ? largest : Area{{0, 0}, dvec2(size)};
+}
+
 void forget_items() {
     items().before = std::move(items().now);
     items().now.clear();
+    covered().before = std::move(covered().now);
+    covered().now.clear();
 }
 
 }  // namespace surefoot::view::ui

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "view/camera.hpp"
 #include "view/colour.hpp"
-#include "view/input.hpp"
 
 namespace surefoot::view::ui {
 
@@ -55,6 +55,13 @@ void item(const char* label);
 
 /// All labels of the last frame, for messages.
 [[nodiscard]] std::string known_items();
+
+/// Says that the window that is being drawn covers its part of the picture; `begin` does so by itself.
+void covers();
+
+/// The part of a picture of this size that no panel of the last frame covers and that has most room for something to
+/// look at; all of it if there is none.
+[[nodiscard]] Area uncovered(const ivec2& size);
 
 /// Called by the adapter when a frame begins.
 void forget_items();

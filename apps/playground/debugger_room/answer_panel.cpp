@@ -121,8 +121,9 @@ void AnswerPanel::ui(Investigation& asked, view::Display& display, view::Toasts&
         ui::heading(std::filesystem::path(moment->file).filename().string());
         wrapped(verdict_text(*moment));
         const std::string saved = moment->capture.answer ? "t = " + t_of(moment->capture.answer) : "no hit";
-        ui::note(fmt::format("Saved answer: {}. {} triangles. {}{}{}", saved, moment->capture.triangles.size(),
-                             moment->remark, moment->capture.note.empty() ? "" : "\n", moment->capture.note));
+        ui::note(fmt::format("Saved answer: {}. {} triangle{}. {}{}{}", saved, moment->capture.triangles.size(),
+                             moment->capture.triangles.size() == 1 ? "" : "s", moment->remark,
+                             moment->capture.note.empty() ? "" : "\n", moment->capture.note));
     }
     numbers(asked);
     if (ui::section("Why", false)) {

@@ -1,10 +1,13 @@
 #include "playground/debugger_room/contest_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 #include <vector>
 
-#include "playground/debugger_room/lesson_frame.hpp"
+#include "playground/debugger_room/framing.hpp"
+#include "playground/debugger_room/lesson_view.hpp"
 #include "playground/debugger_room/scenery.hpp"
 
 namespace surefoot::playground {
@@ -139,6 +142,33 @@ dvec3 ContestView::placed(const Contest& contest, std::size_t i, const dvec3& pl
         local -= dvec3(rest.x, rest.x * std::tan(contest.angle()), 0);
     }
     return (turned(course) ? half_turned(local) : local) + lane(course, i);
+}
+
+std::vector<dvec3> ContestView::places(const Contest& contest) {
+    const Course course = contest.course();
+    // A slope is turned by a hand on a slider, and the camera does not follow every degree.
+    constexpr double usual = 0.7;  // how far a wedge reaches below its middle, with what is written there [m]
+    double low = -usual;
+    double high = usual;
+    double left = -half_wedge;
+    double right = half_wedge;
+    if (course != Course::slope) {
+        low = high = 0;
+        for (const dvec3& p : profile(contest)) {
+            low = std::min(low, p.y - plinth);
+            high = std::max(high, p.y);
+            left = std::min(left, p.x);
+            right = std::max(right, p.x);
+        }
+    }
+    std::vector<dvec3> corners;
+    for (const std::size_t i : {std::size_t{0}, Contest::count - 1}) {
+        Bounds around{{left, low, -half_lane}, {right, high + 2 * half_height, half_lane}};
+        if (turned(course)) std::tie(around.min.x, around.max.x) = std::pair(-right, -left);
+        const dvec3 offset = lane(course, i);
+        append_corners(corners, {around.min + offset, around.max + offset});
+    }
+    return corners;
 }
 
 void ContestView::build(const Contest& contest) {

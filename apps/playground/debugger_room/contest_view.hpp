@@ -17,6 +17,9 @@ class ContestView {
 public:
     void draw(view::Renderer& renderer, const Contest& contest);
 
+    /// The corners of all that is drawn, whatever the angle of a slope.
+    [[nodiscard]] static std::vector<dvec3> places(const Contest& contest);
+
     /// From where a place of the course is seen: contestants share one course, and are drawn beside each other.
     [[nodiscard]] static dvec3 placed(const Contest& contest, std::size_t i, const dvec3& place);
 

@@ -44,7 +44,7 @@ dvec3 offset_beside(const Volume& volume, const Motion& motion, std::span<const 
     // Of its own size, for a level may be any: wide enough for what lies between two steps, too.
     const double air = 0.12 * glm::length(beside.max - beside.min);
     if (level) return {0, real.max.y - beside.min.y + air, 0};
-    return {real.max.x - beside.min.x + air, 0, 0};
+    return {0, real.min.y - beside.max.y - air, 0};
 }
 
 }  // namespace surefoot::playground

@@ -28,7 +28,7 @@ struct DrawnWorld {
 /// which reaches as far as the shape would at each corner.
 [[nodiscard]] Bounds bounds_in(const DrawnWorld& world, const Motion& motion, std::span<const Triangle> triangles);
 
-/// Where the world beside has to stand so that at no `s` it meets the real one: along +X, or above the level. The same
+/// Where the world beside has to stand so that at no `s` it meets the real one: beneath it, or above a level. The same
 /// for every `s`, so that what moves is the squashing alone.
 [[nodiscard]] dvec3 offset_beside(const Volume& volume, const Motion& motion, std::span<const Triangle> triangles,
                                   const std::optional<Bounds>& level = std::nullopt);

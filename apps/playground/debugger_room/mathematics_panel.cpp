@@ -8,9 +8,11 @@
 #include "debugger/gap_curve.hpp"
 #include "debugger/method_table.hpp"
 #include "debugger/plane_table.hpp"
+#include "debugger/support.hpp"
 #include "playground/debugger_room/answer_rows.hpp"
 #include "playground/debugger_room/drawn_world.hpp"
 #include "playground/debugger_room/feature_light.hpp"
+#include "playground/debugger_room/framing.hpp"
 #include "playground/debugger_room/gap_graph.hpp"
 #include "playground/debugger_room/panels_maths.hpp"
 #include "playground/debugger_room/subjects.hpp"
@@ -32,7 +34,7 @@ public:
     bool update(double dt, Inquiry& inquiry) override;
     void draw(view::Renderer& renderer, const Inquiry& inquiry) override;
     void ui(Inquiry& inquiry) override;
-    [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override;
+    [[nodiscard]] std::vector<dvec3> scene_places() const override;
 
 private:
     void take_apart(const Inquiry& inquiry);
@@ -51,7 +53,7 @@ private:
     std::vector<AnswerRow> rows_;
     debugger::GapCurve curve_;
     dvec3 offset_{0, 0, 0};
-    Bounds whole_;
+    std::vector<dvec3> squashed_;  // what is to be seen of the world beside, at the end of its way
     bool beside_ = true;
     double s_ = 1;
     std::optional<double> goal_;  // where s goes by itself
@@ -87,9 +89,12 @@ void MathematicsPanel::take_apart(const Inquiry& inquiry) {
         const Mesh* const mesh = inquiry.arena.mesh();
         offset_ = offset_beside(volume, question.motion, triangles,
                                 mesh != nullptr ? std::optional(mesh->bounds()) : std::nullopt);
-        const Bounds real = bounds_in(real_world(volume), question.motion, triangles);
-        const Bounds other = bounds_in(world_beside(volume, question.motion, 1, offset_), question.motion, triangles);
-        whole_ = {glm::min(real.min, other.min), glm::max(real.max, other.max)};
+        const DrawnWorld world = world_beside(volume, question.motion, 1, offset_);
+        squashed_.clear();
+        for (const dvec3& end : {question.motion.from, question.motion.to})
+            append_corners(squashed_, debugger::bounds_of(world.volume, world.point(end)));
+        for (const Triangle& t : triangles)
+            for (const dvec3& corner : {t.a, t.b, t.c}) squashed_.push_back(world.point(corner));
     } else {
         planes_ = debugger::plane_table(volume, question.motion, triangle(), question.one_sided);
         rows_ = rows_of(planes_);
@@ -110,9 +115,8 @@ bool MathematicsPanel::update(double dt, Inquiry& /*inquiry*/) {
     return true;
 }
 
-std::optional<std::pair<dvec3, double>> MathematicsPanel::scene_frame() const {
-    if (!method_ || !beside_) return std::nullopt;
-    return std::pair((whole_.min + whole_.max) * 0.5, glm::length(whole_.max - whole_.min) * 0.95);
+std::vector<dvec3> MathematicsPanel::scene_places() const {
+    return method_ && beside_ ? squashed_ : std::vector<dvec3>();
 }
 
 void MathematicsPanel::draw(view::Renderer& renderer, const Inquiry& inquiry) {
@@ -152,7 +156,9 @@ void MathematicsPanel::draw_beside(view::Renderer& renderer, const Inquiry& inqu
         if (!chosen) continue;
         const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
         for (std::size_t k = 0; k < 3; ++k)
-            renderer.label({.place = corners[k] + (corners[k] - middle) * 0.05, .text = std::string(1, char('a' + k))});
+            renderer.label({.place = corners[k] + (corners[k] - middle) * 0.05,
+                            .text = std::string(1, char('a' + k)),
+                            .yields = true});
     }
     const auto at = [&](double t) { return world.point(motion.from + (motion.to - motion.from) * t); };
     renderer.arrow(at(0), at(1), {.colour = paint::ink, .width = 2});
@@ -167,7 +173,8 @@ void MathematicsPanel::draw_beside(view::Renderer& renderer, const Inquiry& inqu
                     .text = s_ == 1   ? "squashed: the ball of radius 1"
                             : s_ == 0 ? "the world as it is"
                                       : fmt::format("on the way, s = {:.2f}", s_),
-                    .offset = {0, -14}});
+                    .offset = {0, -14},
+                    .yields = true});
 }
 
 void MathematicsPanel::ui(Inquiry& inquiry) {
@@ -184,7 +191,6 @@ void MathematicsPanel::ui(Inquiry& inquiry) {
     if (ui::section("The gap g(t)")) {
         gap_graph(curve_, inquiry.t);
         ui::hint(curve_.method);
-        ui::slider("t", inquiry.t, 0, 1, "%.4f");
     }
     if (ui::section(method_ ? "Seven candidates" : "Planes that were tried"))
         table_ui(inquiry);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "debugger/arena.hpp"
 #include "debugger/question.hpp"
@@ -47,8 +48,8 @@ public:
     /// A lesson has a scene of its own: while it is open the question's world and shapes are not drawn.
     [[nodiscard]] virtual bool has_own_scene() const { return false; }
 
-    /// Where a camera should look for all of that scene, as {middle, how far out}; nothing leaves it where it is.
-    [[nodiscard]] virtual std::optional<std::pair<dvec3, double>> scene_frame() const { return std::nullopt; }
+    /// What of its own should be seen, besides the question if that is drawn.
+    [[nodiscard]] virtual std::vector<dvec3> scene_places() const { return {}; }
 };
 
 }  // namespace surefoot::playground

@@ -1,5 +1,6 @@
 #include "playground/debugger_room/panel_bar.hpp"
 
+#include <algorithm>
 #include <imgui.h>
 #include <string>
 #include <utility>
@@ -34,6 +35,12 @@ void PanelBar::toggle(int index, const Inquiry& inquiry) {
     if (!std::exchange(shown.knows, true)) shown.panel->changed(inquiry);
 }
 
+double PanelBar::width() const {
+    constexpr double usual = 430;  // for usual letters
+    constexpr double most = 0.46;  // of the window
+    return std::min(usual * ImGui::GetFontSize() / 15.5, most * ImGui::GetIO().DisplaySize.x);
+}
+
 bool PanelBar::ui(Inquiry& inquiry, double below) {
     if (panels_.empty()) return false;
     const int before = open_;
@@ -41,11 +48,15 @@ bool PanelBar::ui(Inquiry& inquiry, double below) {
     // The limit is in units of letters, and what is kept free in units of the window.
     const double letters = ImGui::GetFontSize() / 15.5;
     const double high = (ImGui::GetIO().DisplaySize.y - 2 * margin - below) / letters;
-    if (ui::begin("Panels", {.corner = ui::Panel::Corner::upper_right, .width = 430, .most_height = high})) {
+    if (ui::begin("Panels",
+                  {.corner = ui::Panel::Corner::upper_right, .width = width() / letters, .most_height = high})) {
+        // So narrow that all names find room in a line of usual width.
+        const ImGuiStyle& style = ImGui::GetStyle();
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4, style.FramePadding.y});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, style.ItemSpacing.y});
         const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
         for (std::size_t i = 0; i < panels_.size(); ++i) {
             const std::string name(panels_[i].panel->name());
-            const ImGuiStyle& style = ImGui::GetStyle();
             if (i > 0) {
                 // Toggles that find no room in a line begin the next one.
                 const float wide = ImGui::CalcTextSize(name.c_str()).x + 2 * style.FramePadding.x;
@@ -56,6 +67,7 @@ bool PanelBar::ui(Inquiry& inquiry, double below) {
             if (ui::button(name.c_str())) toggle(static_cast<int>(i), inquiry);
             if (on) ImGui::PopStyleColor();
         }
+        ImGui::PopStyleVar(2);
         if (Panel* const panel = open()) {
             ImGui::Separator();
             panel->ui(inquiry);

@@ -23,6 +23,9 @@ public:
     }
     void close() { open_ = -1; }
 
+    /// How wide it is in this window, without its margin [window units].
+    [[nodiscard]] double width() const;
+
     /// True if another panel is open than before. `below` is how much is kept free beneath, in window units.
     bool ui(Inquiry& inquiry, double below);
 

@@ -7,10 +7,14 @@
 
 #include "debugger/question_text.hpp"
 #include "playground/debugger_room/answer_panel.hpp"
+#include "playground/debugger_room/framing.hpp"
 #include "playground/debugger_room/investigation.hpp"
+#include "playground/debugger_room/lesson_view.hpp"
+#include "playground/debugger_room/moment_bar.hpp"
 #include "playground/debugger_room/panel_bar.hpp"
 #include "playground/debugger_room/panels.hpp"
 #include "playground/debugger_room/question_panel.hpp"
+#include "playground/debugger_room/room_keys.hpp"
 #include "playground/debugger_room/scene.hpp"
 #include "view/orbit_camera.hpp"
 #include "view/widgets.hpp"
@@ -21,21 +25,10 @@ namespace {
 using view::dvec2;
 using view::Key;
 
-constexpr view::KeyHelp keys[] = {{"Drag START or END", "moves it in the plane that faces you"},
-                                  {"Drag a corner", "moves it, and all corners that are at its place"},
-                                  {"Click one of them", "shows arrows, each along an axis, and handles on its box"},
-                                  {"Drag a handle", "moves in the plane of that face of the box"},
-                                  {"Shift", "snaps to the grid while dragging"},
-                                  {"Drag elsewhere", "turns the camera; right drag moves it, the wheel zooms"},
-                                  {"F", "shows all of it"},
-                                  {"Control+Z", "undo; with Shift redo"},
-                                  {"Control+C  Control+V", "copy and paste of the question as JSON"},
-                                  {"Control+S", "saves this moment"},
-                                  {"Control+O", "opens a level or a saved moment"},
-                                  {"Space", "lets the motion run"},
-                                  {"H", "hides the panels"}};
-
-constexpr double run_seconds = 2.5;  // that the whole motion takes
+constexpr double run_seconds = 2.5;     // that the whole motion takes
+constexpr double question_width = 300;  // [window units, for usual letters]
+constexpr double margin = 14;           // around panels [window units]
+constexpr double least_scene = 300;     // beside panels [window units]
 
 class Debugger final : public Room {
 public:
@@ -47,7 +40,7 @@ public:
     void draw(view::Renderer& renderer) override;
     void ui() override;
     [[nodiscard]] bool hides(const dvec3& place) const override;
-    [[nodiscard]] std::span<const view::KeyHelp> help() const override { return keys; }
+    [[nodiscard]] std::span<const view::KeyHelp> help() const override { return room_keys; }
 
 private:
     [[nodiscard]] bool has_lesson() const { return bar_.open() != nullptr && bar_.open()->has_own_scene(); }
@@ -55,15 +48,17 @@ private:
     void open_dialog();
     void copy();
     void paste();
+    [[nodiscard]] std::vector<dvec3> places() const;  ///< that are to be seen
     void frame();
     void show_world(bool at_once = false);
     void ease_to_middle();
+    void keep_framed();
     bool key(const view::KeyPress& press);
     bool button(const view::ButtonPress& press);
     void drag_to(const dvec2& at, bool snaps);
     void panel_opened();
-    void moment_bar();
     void question_window();
+    bool to_camera(const view::InputEvent& event, const std::optional<dvec3>& under = std::nullopt);
 
     Stage* stage_ = nullptr;
     std::shared_ptr<int> here_ = std::make_shared<int>(0);  // gone when the room is left: callbacks hold it weakly
@@ -75,7 +70,11 @@ private:
     std::optional<AnswerPanel> answer_panel_;
     Scene scene_;
     view::OrbitCamera orbit_;
-    std::optional<view::OrbitCamera::Stand> before_lesson_;
+    Framing framing_{orbit_};
+    std::optional<std::pair<view::OrbitCamera::Stand, std::vector<dvec3>>> before_panel_;  // and what was seen
+    bool shows_more_ = false;      // the open panel, than the question
+    bool folds_question_ = false;  // for want of room
+    bool question_folded_ = false;
     std::optional<Target> selected_;
     std::optional<Grip> hovered_;
     std::optional<Drag> drag_;
@@ -144,31 +143,34 @@ void Debugger::paste() {
     ease_to_middle();
 }
 
+std::vector<dvec3> Debugger::places() const {
+    std::vector<dvec3> all = has_lesson() ? std::vector<dvec3>() : places_of(asked_);
+    const std::vector<dvec3> more = bar_.open() != nullptr ? bar_.open()->scene_places() : std::vector<dvec3>();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
 void Debugger::frame() {
-    orbit_.frame(extent_of(asked_));
-    auto stand = orbit_.goal();
-    // The ball around the corners of a box is wider than what is in it. In a level the motion's own ends are those
-    // corners.
-    stand.distance *= asked_.level() ? 1.2 : 0.88;
-    orbit_.go_to(stand);
+    framing_.show(places(), stage_->display.size());
 }
 
 /// Shows a world from the side that its question is about.
 void Debugger::show_world(bool at_once) {
-    frame();
     auto stand = orbit_.goal();
     const bool faces_away =
         asked_.question().world == debugger::WorldKind::fold || asked_.question().world == debugger::WorldKind::wedge;
     stand.yaw = faces_away ? 2.2 : 0.62;
     stand.pitch = 0.34;
     orbit_.go_to(stand);
-    if (at_once) orbit_.jump_to(stand);
+    frame();
+    if (at_once) orbit_.arrive();
 }
 
 void Debugger::ease_to_middle() {
     auto stand = orbit_.goal();
     stand.pivot = asked_.place_at(0.5);
     orbit_.go_to(stand);
+    if (!framing_.kept().empty()) framing_.keep(places());  // which are others by now
 }
 
 bool Debugger::key(const view::KeyPress& press) {
@@ -198,14 +200,13 @@ bool Debugger::key(const view::KeyPress& press) {
     if (press.repeat) return false;
     switch (press.key) {
         case Key::f:
-            has_lesson() ? panel_opened() : frame();
+            frame();
             return true;
         case Key::h:
             panels_hidden_ = !panels_hidden_;
             return true;
         case Key::space:
-            runs_ = !runs_;
-            if (runs_ && inquiry_.t >= 1) inquiry_.t = 0;
+            Clock{inquiry_.t, runs_}.toggle();
             return true;
         case Key::escape:
             // What is open closes first; then the house goes back to the start.
@@ -263,7 +264,7 @@ bool Debugger::event(const view::InputEvent& event) {
     }
     if (const auto* const press = std::get_if<view::KeyPress>(&event)) return key(*press);
     const view::ivec2 size = stage_->display.size();
-    if (has_lesson()) return orbit_.event(event, size);
+    if (has_lesson()) return to_camera(event);
     if (const auto* const press = std::get_if<view::ButtonPress>(&event); press != nullptr && button(*press))
         return true;
     std::optional<dvec3> under;
@@ -285,7 +286,14 @@ bool Debugger::event(const view::InputEvent& event) {
     if (const auto* const wheel = std::get_if<view::WheelTurn>(&event); wheel != nullptr && asked_.mesh())
         if (const auto hit = view::pick(*asked_.mesh(), camera(), wheel->at, size); hit && hit->status == HitStatus::ok)
             under = hit->point;
-    return orbit_.event(event, size, under);
+    return to_camera(event, under);
+}
+
+bool Debugger::to_camera(const view::InputEvent& event, const std::optional<dvec3>& under) {
+    const view::OrbitCamera::Stand before = orbit_.goal();
+    const bool used = orbit_.event(event, stage_->display.size(), under);
+    if (!(orbit_.goal() == before)) framing_.keep({});
+    return used;
 }
 
 bool Debugger::update(double dt) {
@@ -302,7 +310,18 @@ bool Debugger::update(double dt) {
         runs_ = inquiry_.t < 1;
     }
     const bool moves = bar_.open() != nullptr && bar_.open()->update(dt, inquiry_);
+    keep_framed();
     return orbit_.update(dt) || moves || runs_;
+}
+
+/// Until a hand moves the camera: in what the panels leave free, and all of what the open one shows, which may be
+/// another course of its lesson, or no squashed world any more.
+void Debugger::keep_framed() {
+    framing_.update(stage_->display.size());
+    const std::vector<dvec3> more = bar_.open() != nullptr ? bar_.open()->scene_places() : std::vector<dvec3>();
+    const bool changed = has_lesson() ? framing_.kept() != more : more.empty() == shows_more_;
+    shows_more_ = !more.empty();
+    if (changed && !framing_.kept().empty()) frame();
 }
 
 void Debugger::draw(view::Renderer& renderer) {
@@ -319,60 +338,38 @@ bool Debugger::hides(const dvec3& place) const {
     return asked_.mesh()->ray_any({eye, eye + (place - eye) * 0.995});
 }
 
-/// Another panel is open than before: one with more to show than the question is looked at from where it wants to be,
+/// Another panel is open than before: one with more to show than the question is looked at from where that is seen,
 /// and the question from where it was.
 void Debugger::panel_opened() {
-    const Panel* const panel = bar_.open();
-    const auto seen = panel != nullptr ? panel->scene_frame() : std::nullopt;
-    if (seen || has_lesson()) {
-        if (!before_lesson_) before_lesson_ = orbit_.goal();
+    const bool shows_more = has_lesson() || (bar_.open() != nullptr && !bar_.open()->scene_places().empty());
+    if (shows_more) {
+        if (!before_panel_) before_panel_.emplace(orbit_.goal(), framing_.kept());
         drag_.reset();
-        if (seen) {
-            // Of the cube in a ball of that radius; beside the question's own panel there is room for half of that.
-            const dvec3 half(seen->second * (has_lesson() ? 0.577 : 0.3));
-            orbit_.frame({seen->first - half, seen->first + half});
+        auto stand = before_panel_->first;
+        if (has_lesson()) {
+            stand.yaw = lesson_yaw;
+            stand.pitch = lesson_pitch;
         }
-    } else if (before_lesson_) {
-        orbit_.go_to(*before_lesson_);
-        before_lesson_.reset();
+        orbit_.go_to(stand);
+        frame();
+    } else if (before_panel_) {
+        orbit_.go_to(before_panel_->first);
+        framing_.keep(std::move(before_panel_->second));
+        before_panel_.reset();
     }
-}
-
-void Debugger::moment_bar() {
-    namespace ui = view::ui;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float unit = ImGui::GetFontSize() / 15.5F;
-    const float left = 300 * unit + 28;
-    ImGui::SetNextWindowPos({left, screen.y - 14}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({std::max(screen.x - left - 14, 120.0F), 0}, ImGuiCond_Always);
-    if (ImGui::Begin("##moment", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                         ImGuiWindowFlags_NoFocusOnAppearing)) {
-        ui::key_colour(asked_.hit() ? view::paint::hit : view::paint::end, answer_in_a_line(asked_));
-        if (ui::button(runs_ ? "Stop##run" : "Run##run")) {
-            runs_ = !runs_;
-            if (runs_ && inquiry_.t >= 1) inquiry_.t = 0;
-        }
-        ui::hint("Lets the motion run from START to END (Space).");
-        ImGui::SameLine();
-        ImGui::BeginDisabled(!asked_.hit());
-        if (ui::button("To HIT")) inquiry_.t = asked_.hit() ? asked_.hit()->t : 1;
-        ImGui::EndDisabled();
-        ImGui::SameLine();
-        ImGui::SetNextItemWidth(-1);
-        const double low = 0;
-        const double high = 1;
-        if (ImGui::SliderScalar("##t", ImGuiDataType_Double, &inquiry_.t, &low, &high, "t = %.4f",
-                                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat))
-            runs_ = false;
-        ui::item("Moment t");
-    }
-    ImGui::End();
 }
 
 void Debugger::question_window() {
     namespace ui = view::ui;
-    if (ui::begin("Question", {.width = 300})) {
+    // Where the window is narrow, a panel and the question would cover all there is to see.
+    const double letters = ImGui::GetFontSize() / 15.5;
+    const bool narrow = stage_->display.size().x - question_width * letters - bar_.width() < least_scene;
+    if (const bool folds = narrow && bar_.open() != nullptr; folds != folds_question_) {
+        folds_question_ = folds;
+        ImGui::SetNextWindowCollapsed(folds);
+    }
+    question_folded_ = !ui::begin("Question", {.width = question_width});
+    if (!question_folded_) {
         const auto wishes = question_panel_.ui(asked_);
         if (wishes.open) open_dialog();
         if (wishes.copy) copy();
@@ -392,10 +389,19 @@ void Debugger::ui() {
     namespace ui = view::ui;
     if (panels_hidden_) return;
     if (!has_lesson()) question_window();
-    const double bar_height = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
-                              2 * ImGui::GetStyle().WindowPadding.y + 14;
-    if (bar_.ui(inquiry_, bar_height)) panel_opened();
-    if (!has_lesson()) moment_bar();
+    if (has_lesson()) {
+        if (bar_.ui(inquiry_, 0)) panel_opened();
+        return;
+    }
+    // The bar of the moment lies beside an open panel where it has room there, else beneath.
+    const double across = stage_->display.size().x;
+    const double left = margin + (question_folded_ ? 0 : question_width * ImGui::GetFontSize() / 15.5 + margin);
+    const double beside = across - bar_.width() - 2 * margin;
+    const bool is_beside = bar_.open() != nullptr && beside - left >= least_scene;
+    const double beneath = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
+                           2 * ImGui::GetStyle().WindowPadding.y + margin;
+    if (bar_.ui(inquiry_, is_beside ? 0 : beneath)) panel_opened();
+    moment_bar(asked_, {inquiry_.t, runs_}, left, is_beside ? beside : across - margin);
 }
 
 }  // namespace

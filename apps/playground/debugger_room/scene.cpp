@@ -9,6 +9,7 @@
 #include <string>
 
 #include "debugger/support.hpp"
+#include "playground/debugger_room/framing.hpp"
 #include "playground/walk/thrower.hpp"
 #include "view/shapes.hpp"
 
@@ -34,7 +35,11 @@ void name(Renderer& renderer, const Volume& volume, const dvec3& place, const st
           Side side) {
     const Bounds box = debugger::bounds_of(volume, place);
     const dvec3 middle = (box.min + box.max) * 0.5;
-    view::Label label{.place = middle, .text = text, .colour = view::mixed(colour, paint::paper, 0.55), .behind = 0.8};
+    view::Label label{.place = middle,
+                      .text = text,
+                      .colour = view::mixed(colour, paint::paper, 0.55),
+                      .behind = 0.8,
+                      .yields = true};
     if (side == Side::right) {
         constexpr double letter = 8;  // about as wide as one is, in window units
         const view::Camera& camera = renderer.view().camera;
@@ -72,7 +77,7 @@ void draw_rest(Renderer& renderer, const dvec3& from, const dvec3& to) {
 void name_triangles(Renderer& renderer, const Question& question) {
     constexpr std::size_t most_named = 12;
     const auto say = [&](const dvec3& place, std::string text, const dvec2& offset) {
-        renderer.label({.place = place, .text = std::move(text), .offset = offset, .behind = 0.5});
+        renderer.label({.place = place, .text = std::move(text), .offset = offset, .behind = 0.5, .yields = true});
     };
     if (question.triangles.size() == 1) {
         const char* names[] = {"a", "b", "c"};
@@ -136,7 +141,7 @@ void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
     }
     if (look.result && slides) {
         renderer.shape(volume, rest, {.colour = paint::result, .opacity = 0.2, .outline = 1.6, .casts_shadow = false});
-        if (look.labels) name(renderer, volume, rest, "RESULT (textbook slide)", paint::result, Side::right);
+        if (look.labels) name(renderer, volume, rest, "RESULT", paint::result, Side::below);
     }
     if (look.ways) {
         draw_way(renderer, way.from + middle, stop + middle, hit ? paint::hit : paint::end);
@@ -185,22 +190,26 @@ void Scene::draw_grips(Renderer& renderer, const Question& question, const std::
                      {.colour = view::with_opacity(paint::paper, 0.55), .width = 1.2, .behind = 0.3});
 }
 
-Bounds extent_of(const Investigation& asked) {
+std::vector<dvec3> places_of(const Investigation& asked) {
     const Question& question = asked.question();
     // Of a shape that is none, the places are all that can be seen.
     const Volume volume = is_valid(question.volume()) ? question.volume() : Volume(Sphere{1});
-    Bounds all = debugger::bounds_of(volume, question.motion.from);
-    const auto include = [&](const dvec3& low, const dvec3& high) {
-        all.min = glm::min(all.min, low);
-        all.max = glm::max(all.max, high);
-    };
-    const Bounds end = debugger::bounds_of(volume, question.motion.to);
-    include(end.min, end.max);
+    std::vector<dvec3> places;
+    for (const dvec3& end : {question.motion.from, question.motion.to})
+        append_corners(places, debugger::bounds_of(volume, end));
+    if (asked.level()) {
+        // Some of what lies around the motion has to be seen, too.
+        constexpr double wider = 1.25;
+        const dvec3 middle = (question.motion.from + question.motion.to) * 0.5;
+        for (dvec3& place : places) place = middle + (place - middle) * wider;
+        return places;
+    }
+    if (asked.touches()) append_corners(places, debugger::bounds_of(volume, asked.result().position));
     constexpr std::size_t few = 64;
     if (question.triangles.size() <= few)
         for (const Triangle& triangle : question.triangles)
-            for (const dvec3& corner : debugger::corners_of(triangle)) include(corner, corner);
-    return all;
+            for (const dvec3& corner : debugger::corners_of(triangle)) places.push_back(corner);
+    return places;
 }
 
 }  // namespace surefoot::playground

@@ -3,8 +3,7 @@
 
 #include <memory>
 #include <optional>
-
-#include <surefoot/bounds.hpp>
+#include <vector>
 
 #include "playground/debugger_room/grips.hpp"
 #include "playground/debugger_room/investigation.hpp"
@@ -46,6 +45,6 @@ private:
 };
 
 /// All of a question that one wants to see at once: the motion, the answer, and the world if it is a few triangles.
-[[nodiscard]] Bounds extent_of(const Investigation& asked);
+[[nodiscard]] std::vector<dvec3> places_of(const Investigation& asked);
 
 }  // namespace surefoot::playground

@@ -5,7 +5,6 @@
 
 #include "playground/debugger_room/contest.hpp"
 #include "playground/debugger_room/contest_view.hpp"
-#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "view/widgets.hpp"
 
@@ -20,15 +19,12 @@ constexpr double degree = 3.14159265358979323846 / 180;
 class SideBySidePanel final : public Panel {
 public:
     [[nodiscard]] std::string_view name() const override { return "Side by side"; }
-    void enter(Stage& stage) override { stage_ = &stage; }
     void changed(const Inquiry& /*inquiry*/) override {}
     bool update(double /*dt*/, Inquiry& /*inquiry*/) override { return contest_.update(); }
     void draw(view::Renderer& renderer, const Inquiry& /*inquiry*/) override { look_.draw(renderer, contest_); }
     void ui(Inquiry& inquiry) override;
     [[nodiscard]] bool has_own_scene() const override { return true; }
-    [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override {
-        return lesson_frame({0, 0.2, 0}, 11.2, 6, stage_->display);
-    }
+    [[nodiscard]] std::vector<dvec3> scene_places() const override { return ContestView::places(contest_); }
 
 private:
     void courses();
@@ -37,7 +33,6 @@ private:
     void stairs_ui();
     void ledge_ui();
 
-    Stage* stage_ = nullptr;
     Contest contest_;
     ContestView look_;
 };

@@ -4,7 +4,8 @@
 #include <array>
 #include <string>
 
-#include "playground/debugger_room/lesson_frame.hpp"
+#include "playground/debugger_room/framing.hpp"
+#include "playground/debugger_room/lesson_view.hpp"
 #include "playground/debugger_room/scenery.hpp"
 
 namespace surefoot::playground {
@@ -152,6 +153,19 @@ void VoxelView::draw_side(view::Renderer& renderer, const VoxelPlay& play, const
                         .text = "inside the block",
                         .colour = rgb(0xFFB3AA),
                         .offset = {0, -40}});
+}
+
+std::vector<dvec3> VoxelView::places(const VoxelPlay& play) {
+    const VoxelScene& scene = play.story().scene;
+    int top = scene.window.first.y + 1;
+    for (const Cell& cell : scene.solid) top = std::max(top, cell.y + 1);
+    const dvec3 half(scene.window.cells.x * 0.5, 0, scene.window.cells.z * 0.5);
+    std::vector<dvec3> corners;
+    for (const bool right : {false, true}) {
+        const dvec3 middle = Placing(scene, right).offset();
+        append_corners(corners, {middle - half + dvec3(0, 0.55, 0), middle + half + dvec3(0, top, 0)});
+    }
+    return corners;
 }
 
 void VoxelView::draw(view::Renderer& renderer, const VoxelPlay& play) {

@@ -20,6 +20,9 @@ class VoxelView {
 public:
     void draw(view::Renderer& renderer, const VoxelPlay& play);
 
+    /// The corners of all that is drawn.
+    [[nodiscard]] static std::vector<dvec3> places(const VoxelPlay& play);
+
 private:
     void build(const debugger::VoxelScene& scene);
     void draw_side(view::Renderer& renderer, const VoxelPlay& play, const VoxelTale& tale) const;

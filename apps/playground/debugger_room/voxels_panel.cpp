@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "playground/debugger_room/lesson_frame.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "playground/debugger_room/voxel_play.hpp"
 #include "playground/debugger_room/voxel_view.hpp"
@@ -16,20 +15,16 @@ namespace ui = view::ui;
 class VoxelsPanel final : public Panel {
 public:
     [[nodiscard]] std::string_view name() const override { return "Voxels"; }
-    void enter(Stage& stage) override { stage_ = &stage; }
     void changed(const Inquiry& /*inquiry*/) override {}
     bool update(double dt, Inquiry& /*inquiry*/) override { return play_.update(dt); }
     void draw(view::Renderer& renderer, const Inquiry& /*inquiry*/) override { look_.draw(renderer, play_); }
     void ui(Inquiry& inquiry) override;
     [[nodiscard]] bool has_own_scene() const override { return true; }
-    [[nodiscard]] std::optional<std::pair<dvec3, double>> scene_frame() const override {
-        return lesson_frame({0, 1.3, 0}, 12.8, 6, stage_->display);
-    }
+    [[nodiscard]] std::vector<dvec3> scene_places() const override { return VoxelView::places(play_); }
 
 private:
     void told(const char* title, const VoxelTale& tale) const;
 
-    Stage* stage_ = nullptr;
     VoxelPlay play_;
     VoxelView look_;
 };

@@ -1,0 +1,53 @@
+#include "playground/debugger_room/framing.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "view/widgets.hpp"
+
+namespace surefoot::playground {
+namespace {
+
+constexpr view::dvec2 air{34, 40};  // around what is seen, for labels: at the sides, above and below
+constexpr double hardly = 6;        // by how much a part has to differ to be another
+constexpr int young = 5;            // [ticks]
+
+view::Area free_part(const view::ivec2& size) {
+    view::Area part = view::ui::uncovered(size);
+    const view::dvec2 inset = glm::min(air, part.size() * 0.2);
+    return {part.low + inset, part.high - inset};
+}
+
+bool differ(const view::dvec2& a, const view::dvec2& b) {
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > hardly;
+}
+
+}  // namespace
+
+void Framing::show(std::vector<dvec3> places, const view::ivec2& size) {
+    kept_ = std::move(places);
+    part_ = free_part(size);
+    orbit_->frame(kept_, part_, size);
+}
+
+void Framing::update(const view::ivec2& size) {
+    age_ = std::min(age_ + 1, young);
+    const view::Area part = free_part(size);
+    if (!differ(part.low, part_.low) && !differ(part.high, part_.high)) return;
+    part_ = part;
+    if (kept_.empty())
+        orbit_->keep_pivot_in(part_, size);
+    else
+        orbit_->frame(kept_, part_, size);
+    // Before anybody has seen it, there is nothing to follow with the eyes.
+    if (age_ < young) orbit_->arrive();
+}
+
+void append_corners(std::vector<dvec3>& places, const Bounds& box) {
+    for (const double x : {box.min.x, box.max.x})
+        for (const double y : {box.min.y, box.max.y})
+            for (const double z : {box.min.z, box.max.z}) places.emplace_back(x, y, z);
+}
+
+}  // namespace surefoot::playground

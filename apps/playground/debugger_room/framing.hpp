@@ -1,0 +1,35 @@
+/// Where the camera stands so that what matters is seen beside the panels. It is kept there while panels open, close
+/// and grow and while the window does, until somebody moves the camera by hand.
+#pragma once
+
+#include <vector>
+
+#include "view/orbit_camera.hpp"
+
+namespace surefoot::playground {
+
+class Framing {
+public:
+    explicit Framing(view::OrbitCamera& orbit) : orbit_(&orbit) {}
+
+    /// Goes to see all of these places from where it looks now, and keeps them seen. Requires: at least one.
+    void show(std::vector<dvec3> places, const view::ivec2& size);
+
+    /// Keeps them seen, from where the camera was brought by others; none if it was somebody's hand.
+    void keep(std::vector<dvec3> places) { kept_ = std::move(places); }
+    [[nodiscard]] const std::vector<dvec3>& kept() const { return kept_; }
+
+    /// Looks at what the panels of the last frame left free; once a tick.
+    void update(const view::ivec2& size);
+
+private:
+    view::OrbitCamera* orbit_;
+    std::vector<dvec3> kept_;
+    view::Area part_{{0, 0}, {0, 0}};  // of the picture, in which they are seen
+    int age_ = 0;                      // [ticks], up to when panels have found their sizes
+};
+
+/// The corners of a box.
+void append_corners(std::vector<dvec3>& places, const Bounds& box);
+
+}  // namespace surefoot::playground
