@@ -67,7 +67,7 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
         app->toasts_.say(
             "No graphics card was found, so shadows, smoothing and thin edges are off: --preset full turns them on.");
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
-                              *app->levels_, options.headless, options.level});
+                              app->chooser_, *app->levels_, options.headless, options.level});
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.room);
     return app;
@@ -204,16 +204,16 @@ void App::house_event(const view::InputEvent& event) {
         help_ = !help_;
         return;
     }
-    if (view::is_press(event, view::Key::escape) && (help_ || browser_.is_open())) {
+    if (view::is_press(event, view::Key::escape) && (help_ || stage_->has_dialog())) {
         if (help_) {
             help_ = false;
         } else {
-            browser_.close();
+            stage_->close_dialogs();
         }
         return;
     }
     if (imgui_->event(event)) return;
-    if (help_ || browser_.is_open()) return;
+    if (help_ || stage_->has_dialog()) return;
     if (room_->event(event)) return;
     if (view::is_press(event, view::Key::escape) && !room_id_.empty()) go_to({});
 }
@@ -256,6 +256,7 @@ void App::paint() {
 
 void App::draw_house_ui() {
     browser_.draw();
+    chooser_.draw();
     if (!levels_->loading().empty()) {
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});

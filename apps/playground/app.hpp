@@ -71,6 +71,7 @@ private:
     std::unique_ptr<view::ImGuiAdapter> imgui_;
     view::Toasts toasts_;
     view::FileBrowser browser_;
+    view::Chooser chooser_;
     std::unique_ptr<LevelLoader> levels_;
     std::optional<Stage> stage_;
     std::unique_ptr<Room> room_;
