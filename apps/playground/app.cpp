@@ -265,11 +265,14 @@ void App::draw_house_ui() {
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
         const std::string name = std::filesystem::path(levels_->loading()).filename().string();
         ImGui::TextUnformatted(name.c_str());
-        view::ui::note(fmt::format("{}, {:.0f} s", levels_->step(), levels_->seconds()));
-        // How much is left is not known; that something happens is.
+        const std::optional<int> percent = levels_->percent();
+        view::ui::note(percent ? fmt::format("{}, {} %, {:.0f} s", levels_->step(), *percent, levels_->seconds())
+                               : fmt::format("{}, {:.0f} s", levels_->step(), levels_->seconds()));
+        // Where it is not known how much is left, the bar goes to and fro.
         constexpr double round_trip = 1.6;  // [s]
         const double phase = std::fmod(levels_->seconds(), round_trip) / round_trip;
-        const auto share = static_cast<float>(1 - std::abs(2 * phase - 1));
+        const auto share = percent ? 0 : static_cast<float>(1 - std::abs(2 * phase - 1));
+        const float wide = percent ? static_cast<float>(*percent) / 100 : 0.25F;
         const float letter = ImGui::GetFontSize();
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const ImVec2 bar(letter * 16, letter * 0.4F);
@@ -277,7 +280,7 @@ void App::draw_house_ui() {
         list.AddRectFilled(low, {low.x + bar.x, low.y + bar.y},
                            view::packed(view::with_opacity(view::paint::paper, 0.15)));
         list.AddRectFilled({low.x + share * bar.x * 0.75F, low.y},
-                           {low.x + (share * 0.75F + 0.25F) * bar.x, low.y + bar.y}, view::packed(view::paint::accent));
+                           {low.x + (share * 0.75F + wide) * bar.x, low.y + bar.y}, view::packed(view::paint::accent));
         ImGui::Dummy(bar);
         ImGui::End();
     }
