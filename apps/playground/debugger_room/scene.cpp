@@ -9,7 +9,7 @@
 #include <string>
 
 #include "debugger/support.hpp"
-#include "playground/walk/thrower.hpp"
+#include "playground/feature_mark.hpp"
 #include "view/shapes.hpp"
 
 namespace surefoot::playground {
