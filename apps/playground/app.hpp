@@ -93,7 +93,8 @@ private:
     bool quit_ = false;
     std::string failure_;
     ExitCode code_ = ExitCode::ok;
-    std::vector<double> frame_times_;
+    std::vector<double> frame_times_;       // [s]
+    std::vector<double> frame_processing_;  // of all threads together [s]
 };
 
 }  // namespace surefoot::playground

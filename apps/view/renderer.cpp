@@ -41,6 +41,10 @@ std::string with_light(std::string_view source) {
     return std::string(shaders::light) + std::string(source);
 }
 
+std::string with_mesh_light(std::string_view source) {
+    return with_light(shaders::mesh_light) + std::string(source);
+}
+
 }  // namespace
 
 dvec3 Renderer::PlacedModel::origin() const {
@@ -70,10 +74,11 @@ Renderer::Parts::Parts()
       flat_buffer(gl::Buffer::make()) {
     for (const int shadows : {0, 1}) {
         const std::string define = shadows != 0 ? "#define SHADOWS\n" : "";
-        constexpr const char* looks[] = {"", "#define FLAT\n", "#define EDGES\n"};
+        const char* const looks[] = {"", shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n",
+                                     "#define EDGES\n"};
         for (int look = 0; look < 3; ++look)
-            mesh[shadows][look] =
-                gl::Program("mesh", shaders::mesh_vertex, with_light(shaders::mesh_fragment), define + looks[look]);
+            mesh[shadows][look] = gl::Program("mesh", with_mesh_light(shaders::mesh_vertex),
+                                              with_mesh_light(shaders::mesh_fragment), define + looks[look]);
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());
