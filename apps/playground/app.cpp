@@ -247,7 +247,7 @@ void App::update(double dt) {
 
 void App::draw() {
     imgui_->begin_frame(tick);
-    renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size()});
+    renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size(), display_->scale()});
     room_->draw(*renderer_);
     view::draw_labels(renderer_->view(), renderer_->labels(),
                       [this](const dvec3& place) { return room_->hides(place); });
@@ -332,8 +332,9 @@ void App::keep_screenshots() {
 void App::keep_settings() {
     if (settings_path_.empty()) return;
     if (!display_->is_full_screen() && !options_.headless && !options_.size) {
-        settings_.width = display_->size().x;
-        settings_.height = display_->size().y;
+        // A window that is opened is made larger by the scale of its screen, where that counts in pixels.
+        settings_.width = static_cast<int>(std::lround(display_->size().x / display_->scale()));
+        settings_.height = static_cast<int>(std::lround(display_->size().y / display_->scale()));
     }
     const auto kept = view::write_settings(settings_, settings_path_);
     if (!kept) fmt::print(stderr, "surefoot-playground: {}\n", kept.error().text);

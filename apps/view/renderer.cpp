@@ -122,7 +122,7 @@ void Renderer::outline(const PlacedShape& shape) {
     const dmat4 back = glm::transpose(shape.turn);
     const vec3 eye(back * glm::dvec4(view_.camera.eye - shape.position, 0));
     const gl::mat4 to_eye = shape.from_model(view_.camera.eye);
-    const double width = shape.look.outline * view_.pixels_per_unit();
+    const double width = shape.look.outline * view_.line_pixels();
     const Colour line = mixed(with_opacity(shape.look.colour, 1), paint::ink, 0.25);
     for (const ShapeMesh::Edge& edge : shape.model->mesh.edges) {
         const vec3 look = edge.from - eye;
@@ -139,7 +139,7 @@ void Renderer::outline(const PlacedShape& shape) {
 }
 
 void Renderer::line(const dvec3& from, const dvec3& to, const Stroke& stroke) {
-    const double width = stroke.width * view_.pixels_per_unit();
+    const double width = stroke.width * view_.line_pixels();
     parts_->lines.add(seen(from), seen(to), width, width, stroke.colour, stroke.behind);
 }
 
@@ -149,7 +149,7 @@ void Renderer::polyline(std::span<const dvec3> points, const Stroke& stroke, boo
 }
 
 void Renderer::point(const dvec3& place, double size, Colour colour, double behind) {
-    const double width = size * view_.pixels_per_unit();
+    const double width = size * view_.line_pixels();
     parts_->lines.add(seen(place), seen(place), width, width, colour, behind);
 }
 
@@ -158,9 +158,9 @@ void Renderer::arrow(const dvec3& from, const dvec3& to, const Stroke& stroke, d
     const auto at = view_.camera.project(to, view_.size);
     if (!(length > 0)) return;
     const double depth = at ? at->depth : view_.camera.nearest;
-    const double share = std::min(head * view_.camera.unit_at(depth, view_.size) / length, 0.5);
+    const double share = std::min(head * view_.scale * view_.camera.unit_at(depth, view_.size) / length, 0.5);
     const dvec3 neck = to + (from - to) * share;
-    const double unit = view_.pixels_per_unit();
+    const double unit = view_.line_pixels();
     parts_->lines.add(seen(from), seen(neck), stroke.width * unit, stroke.width * unit, stroke.colour, stroke.behind);
     const double base = std::max(head * 0.62, stroke.width * 2.2) * unit;
     parts_->lines.add(seen(neck), seen(to), base, 0.5, stroke.colour, stroke.behind);
