@@ -45,11 +45,16 @@ void check_queries(const surefoot::Mesh& mesh, Bytes& bytes) {
 
     const auto sweep = [&] { return surefoot::capture_sweep(mesh, volume, motion, tree); };
     const auto ray = [&] { return surefoot::capture_ray(mesh, motion, tree); };
+    const surefoot::CapturedQuestion question{.volume = volume, .motion = motion, .one_sided = tree.one_sided};
+    const auto bare = [&] { return unasked(mesh, question); };
+    const auto bare_ray = [&] {
+        return unasked(mesh, {.kind = surefoot::CaptureKind::ray, .motion = motion, .one_sided = question.one_sided});
+    };
     {
-        const Asking asking(ray);
+        const Asking asking(ray, bare_ray);
         require_same(mesh.ray(motion, tree), mesh.ray(motion, force));
     }
-    const Asking asking(sweep);
+    const Asking asking(sweep, bare);
     const auto swept = mesh.sweep(volume, motion, tree);
     require_same(swept, mesh.sweep(volume, motion, force));
     const bool valid = surefoot::is_valid(volume) && is_within_limits(motion);

@@ -16,7 +16,8 @@ void check_sweep(const surefoot::Volume& volume, const surefoot::Motion& motion,
     const auto capture = [&] {
         return surefoot::capture_sweep(triangle, volume, motion, surefoot::SweepOptions{.one_sided = one_sided});
     };
-    const Asking asking(capture);
+    const auto bare = [&] { return unasked(triangle, {.volume = volume, .motion = motion, .one_sided = one_sided}); };
+    const Asking asking(capture, bare);
     const bool valid = surefoot::is_valid(volume) && is_within_limits(motion) && is_within_limits(triangle);
     const auto hit = surefoot::sweep(volume, motion, triangle, {.one_sided = one_sided});
     require(hit || valid, "data outside the limits are no free pass");
@@ -33,6 +34,15 @@ void check_sweep(const surefoot::Volume& volume, const surefoot::Motion& motion,
 }
 
 void check_ray(const surefoot::Motion& motion, const surefoot::Triangle& triangle, bool one_sided) {
+    const surefoot::CapturedQuestion question{
+        .kind = surefoot::CaptureKind::ray, .motion = motion, .one_sided = one_sided};
+    const auto capture = [&] {
+        surefoot::Capture moment = unasked(triangle, question);
+        moment.answer = surefoot::ray(motion, triangle, {.one_sided = one_sided});
+        return moment;
+    };
+    const auto bare = [&] { return unasked(triangle, question); };
+    const Asking asking(capture, bare);
     const bool valid = is_within_limits(motion) && is_within_limits(triangle);
     const auto hit = surefoot::ray(motion, triangle, {.one_sided = one_sided});
     require(hit || valid, "data outside the limits are no free pass");

@@ -141,6 +141,18 @@ TEST(Mesh, refuses_what_it_cannot_use_in_words) {
     EXPECT_FALSE(Mesh::build({vertices, indices, too_many_surfaces}).has_value());
 }
 
+TEST(Mesh, a_triangle_that_is_not_there_is_all_zeros) {
+    const Mesh mesh = soup(6, 10);
+    for (const std::uint32_t id : {10U, 11U, 0xffffffffU}) {
+        const Triangle none = mesh.triangle(id);
+        EXPECT_EQ(none.a, dvec3(0, 0, 0));
+        EXPECT_EQ(none.b, dvec3(0, 0, 0));
+        EXPECT_EQ(none.c, dvec3(0, 0, 0));
+        EXPECT_EQ(mesh.surface(id), 0U);
+        EXPECT_FALSE(mesh.is_hidden(id));
+    }
+}
+
 TEST(Mesh, an_invalid_query_is_blocked) {
     const Mesh mesh = soup(6, 10);
     const auto hit = mesh.sweep(Sphere{0}, {{0, 0, 0}, {1, 1, 1}});

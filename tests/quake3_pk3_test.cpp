@@ -1,6 +1,5 @@
 // Maps within a .pk3.
 #include <gtest/gtest.h>
-#include <minizip/zip.h>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "quake3/pk3.hpp"
 #include "quake3_map.hpp"
 #include "splitmix.hpp"
+#include "zipped.hpp"
 
 namespace surefoot {
 namespace {
@@ -19,24 +19,7 @@ namespace {
 using test::Folder;
 using test::good;
 using test::refused;
-
-using Files = std::vector<std::pair<std::string, std::string>>;
-
-std::string zipped(const std::string& path, const Files& files) {
-    const zipFile zip = zipOpen64(path.c_str(), APPEND_STATUS_CREATE);
-    EXPECT_NE(zip, nullptr);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        const int method = i % 2 == 0 ? Z_DEFLATED : 0;  // packed, and merely stored
-        EXPECT_EQ(
-            zipOpenNewFileInZip64(zip, files[i].first.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, method, 6, 0),
-            ZIP_OK);
-        EXPECT_EQ(zipWriteInFileInZip(zip, files[i].second.data(), static_cast<unsigned>(files[i].second.size())),
-                  ZIP_OK);
-        EXPECT_EQ(zipCloseFileInZip(zip), ZIP_OK);
-    }
-    EXPECT_EQ(zipClose(zip, nullptr), ZIP_OK);
-    return path;
-}
+using test::zipped;
 
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -72,6 +55,40 @@ TEST(Quake3Pk3, one_of_several_is_named_behind_a_colon) {
     EXPECT_EQ(error.code, ErrorCode::not_found);
     EXPECT_NE(error.text.find("no map \"cellar\""), std::string::npos) << error.text;
     EXPECT_NE(error.text.find("maps/hall.bsp"), std::string::npos) << error.text;
+}
+
+TEST(Quake3Pk3, its_maps_are_listed_by_name_and_nothing_else_in_it) {
+    const Folder folder;
+    const std::string path = zipped(folder.path() / "Pak0.PK3", {{"maps/hall.bsp", "not read"},
+                                                                 {"maps/box.bsp", sample},
+                                                                 {"maps/box.aas", "y"},
+                                                                 {"maps/old/attic.bsp", sample},
+                                                                 {"scripts/box.bsp", sample}});
+    const auto maps = maps_in(path);
+    ASSERT_TRUE(maps) << maps.error().text;
+    EXPECT_EQ(*maps, (std::vector<std::string>{"maps/box.bsp", "maps/hall.bsp"}));
+    EXPECT_EQ(good(path + ":" + maps->front()).vertices, good(folder.write("box.bsp", sample)).vertices);
+
+    const auto none = maps_in(zipped(folder.path() / "sounds.pk3", {{"sound/step.wav", "x"}}));
+    ASSERT_TRUE(none) << none.error().text;
+    EXPECT_TRUE(none->empty());
+}
+
+TEST(Quake3Pk3, only_a_pk3_holds_maps_and_one_that_cannot_be_read_says_why) {
+    const Folder folder;
+    const auto other = maps_in(folder.write("yard.obj", "v 0 0 0"));
+    ASSERT_TRUE(other);
+    EXPECT_TRUE(other->empty());
+    const auto missing = maps_in(folder.path() / "none.pk3");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::not_found);
+    EXPECT_NE(missing.error().text.find("none.pk3"), std::string::npos) << missing.error().text;
+    const auto damaged = maps_in(folder.write("torn.pk3", "PK\3\4 and no more"));
+    ASSERT_FALSE(damaged);
+    EXPECT_EQ(damaged.error().code, ErrorCode::unreadable);
+    const auto wrong = maps_in(folder.path() / "none.pk3", {.time_limit = -1});
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().code, ErrorCode::invalid);
 }
 
 TEST(Quake3Pk3, a_path_is_taken_apart_unless_there_is_such_a_file) {

@@ -172,10 +172,14 @@ ImportedLevel import_all(const std::vector<std::string>& files, const ImportOpti
     return all;
 }
 
-Cooked cook_imported(ImportedLevel& level, double tolerance, std::uint64_t made_from) {
+Cooked cook_imported(ImportedLevel& level, double tolerance, std::uint64_t made_from,
+                     const std::function<void(double done)>& tell) {
     std::vector<dvec3> vertices(level.vertices.begin(), level.vertices.end());
     ProgressBar bar("cooking");
-    const auto progress = [&](double done) { bar.show(done); };
+    const auto progress = [&](double done) {
+        bar.show(done);
+        if (tell) tell(done);
+    };
     auto cooked = cook({.vertices = vertices,
                         .indices = level.indices,
                         .surfaces = level.surfaces,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,8 +25,9 @@ namespace surefoot::tools {
 /// Reads levels and makes one of them. Surfaces of one name become one. Throws `Failure`.
 [[nodiscard]] ImportedLevel import_all(const std::vector<std::string>& files, const ImportOptions& options);
 
-/// Cooks with a progress bar. Throws `Failure`.
-[[nodiscard]] Cooked cook_imported(ImportedLevel& level, double tolerance, std::uint64_t made_from);
+/// Cooks with a progress bar, and tells how much is done [0 to 1]. Throws `Failure`.
+[[nodiscard]] Cooked cook_imported(ImportedLevel& level, double tolerance, std::uint64_t made_from,
+                                   const std::function<void(double done)>& tell = {});
 
 /// What to say about a level that could not be opened: near file names if there is none of this name.
 [[nodiscard]] std::string with_near_file(const Error& error, const std::string& path);

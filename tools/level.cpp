@@ -89,7 +89,11 @@ std::string Level::how_long() const {
     return fmt::format("read in {}, cooked in {}", duration(import_seconds), duration(build_seconds));
 }
 
-Level load_level(const LevelOptions& options) {
+Level load_level(const LevelOptions& options, const LoadProgress& progress) {
+    const auto tell = [&](LoadStep step, double done) {
+        if (progress) progress(step, done);
+    };
+    tell(LoadStep::opening, 0);
     if (is_cooked_name(options.file)) return open_level(options);
     const ImportOptions import = options.import_options();
     const auto made_from =
@@ -103,11 +107,13 @@ Level load_level(const LevelOptions& options) {
             return level;
         }
     }
+    tell(LoadStep::reading, 0);
     const Clock::time_point start = Clock::now();
     ImportedLevel imported = import_all({options.file}, import);
     const double import_seconds = seconds_since(start);
     const Clock::time_point cook_start = Clock::now();
-    Cooked cooked = cook_imported(imported, options.welding_tolerance(), made_from.value_or(0));
+    Cooked cooked = cook_imported(imported, options.welding_tolerance(), made_from.value_or(0),
+                                  [&](double done) { tell(LoadStep::cooking, done); });
     const double build_seconds = seconds_since(cook_start);
     const std::vector<std::byte> notes = to_bytes(imported.notes);
     Section section = import_notes_section;

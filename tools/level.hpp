@@ -1,6 +1,7 @@
 /// A level as the commands use it: the mesh, what its surfaces are called, and how long it took to read.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +49,19 @@ struct Level {
     [[nodiscard]] std::string how_long() const;
 };
 
+/// What is being done with a level.
+enum class LoadStep : std::uint8_t {
+    reading,  ///< the file, by the importer; how much of it is read is not known
+    cooking,
+    opening,  ///< a file that was cooked before
+};
+
+/// Told of a step when it begins, and while it goes on of how much of it is done [0 to 1].
+using LoadProgress = std::function<void(LoadStep step, double done)>;
+
 /// Opens a cooked level. Reads and cooks any other, and keeps it in the user's cache for the next time.
 /// Throws `Failure` with a sentence that names near file names when there is no such file.
-[[nodiscard]] Level load_level(const LevelOptions& options);
+[[nodiscard]] Level load_level(const LevelOptions& options, const LoadProgress& progress = {});
 
 /// The name of a surface, empty if it has none.
 [[nodiscard]] std::string surface_name(const Level& level, std::uint32_t surface);

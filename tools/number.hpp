@@ -9,6 +9,8 @@
 namespace surefoot::tools {
 
 /// The shortest decimal text that reads back to the same double, or the same float.
+/// The core has the same lines in src/capture/number.hpp, which is private, as how numbers are printed is no promise of
+/// the library; what both have to agree on, JSON and the standard's shortest decimal, neither decides.
 template <typename Number>
 void append_number(std::string& out, Number value) {
     char text[40];

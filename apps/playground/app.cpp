@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -24,6 +25,17 @@ constexpr int most_ticks = 4;  // a frame; a slow machine goes slower rather tha
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What the processors spent on this program so far, in all threads [s].
+double processing() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
 constexpr view::KeyHelp house_keys[] = {{"F1", "shows this"},
@@ -64,10 +76,10 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
                                                                              : "full";
     app->renderer_->effects = preset == "software" ? view::Effects::software() : view::Effects::full();
     if (preset == "software" && !options.headless)
-        app->toasts_.say(
-            "No graphics card was found, so shadows, smoothing and thin edges are off: --preset full turns them on.");
+        app->toasts_.say(std::string(view::gl_is_software() ? "No graphics card was found: shadows" : "Shadows") +
+                         ", smoothing and thin edges are off. --preset full turns them on.");
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
-                              *app->levels_, options.headless, options.level});
+                              app->chooser_, *app->levels_, options.headless, options.level});
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.room);
     return app;
@@ -119,11 +131,11 @@ ExitCode App::run() {
     if (!options_.contact_sheet.empty() && failure_.empty()) keep_picture(contact_sheet(), options_.contact_sheet);
     keep_settings();
     if (options_.timing && !frame_times_.empty()) {
-        std::sort(frame_times_.begin(), frame_times_.end());
-        const double median = frame_times_[frame_times_.size() / 2];
-        fmt::print("{} frames, median {:.1f} ms ({:.0f} a second), {} triangles, {} lines; {}\n", frame_times_.size(),
-                   median * 1e3, 1 / median, renderer_->counts().triangles, renderer_->counts().lines,
-                   view::gl_description());
+        const double median = median_of(frame_times_);
+        fmt::print(
+            "{} frames, median {:.1f} ms ({:.0f} a second), {:.1f} ms of processors, {} triangles, {} lines; {}\n",
+            frame_times_.size(), median * 1e3, 1 / median, median_of(frame_processing_) * 1e3,
+            renderer_->counts().triangles, renderer_->counts().lines, view::gl_description());
     }
     return code_;
 }
@@ -150,6 +162,7 @@ bool App::frame() {
         scripts_.pop_back();
     }
     const double start = now();
+    const double before = processing();
     take_events();
     double dt = tick;
     if (!options_.headless) {
@@ -162,6 +175,7 @@ bool App::frame() {
     if (options_.timing) {
         glFinish();
         frame_times_.push_back(now() - start);
+        frame_processing_.push_back(processing() - before);
     }
     keep_screenshots();
     display_->present();
@@ -204,16 +218,16 @@ void App::house_event(const view::InputEvent& event) {
         help_ = !help_;
         return;
     }
-    if (view::is_press(event, view::Key::escape) && (help_ || browser_.is_open())) {
+    if (view::is_press(event, view::Key::escape) && (help_ || stage_->has_dialog())) {
         if (help_) {
             help_ = false;
         } else {
-            browser_.close();
+            stage_->close_dialogs();
         }
         return;
     }
     if (imgui_->event(event)) return;
-    if (help_ || browser_.is_open()) return;
+    if (help_ || stage_->has_dialog()) return;
     if (room_->event(event)) return;
     if (view::is_press(event, view::Key::escape) && !room_id_.empty()) go_to({});
 }
@@ -233,7 +247,7 @@ void App::update(double dt) {
 
 void App::draw() {
     imgui_->begin_frame(tick);
-    renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size()});
+    renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size(), display_->scale()});
     room_->draw(*renderer_);
     view::draw_labels(renderer_->view(), renderer_->labels(),
                       [this](const dvec3& place) { return room_->hides(place); });
@@ -256,6 +270,7 @@ void App::paint() {
 
 void App::draw_house_ui() {
     browser_.draw();
+    chooser_.draw();
     if (!levels_->loading().empty()) {
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -264,11 +279,14 @@ void App::draw_house_ui() {
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
         const std::string name = std::filesystem::path(levels_->loading()).filename().string();
         ImGui::TextUnformatted(name.c_str());
-        view::ui::note(fmt::format("{}, {:.0f} s", levels_->step(), levels_->seconds()));
-        // How much is left is not known; that something happens is.
+        const std::optional<int> percent = levels_->percent();
+        view::ui::note(percent ? fmt::format("{}, {} %, {:.0f} s", levels_->step(), *percent, levels_->seconds())
+                               : fmt::format("{}, {:.0f} s", levels_->step(), levels_->seconds()));
+        // Where it is not known how much is left, the bar goes to and fro.
         constexpr double round_trip = 1.6;  // [s]
         const double phase = std::fmod(levels_->seconds(), round_trip) / round_trip;
-        const auto share = static_cast<float>(1 - std::abs(2 * phase - 1));
+        const auto share = percent ? 0 : static_cast<float>(1 - std::abs(2 * phase - 1));
+        const float wide = percent ? static_cast<float>(*percent) / 100 : 0.25F;
         const float letter = ImGui::GetFontSize();
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const ImVec2 bar(letter * 16, letter * 0.4F);
@@ -276,7 +294,7 @@ void App::draw_house_ui() {
         list.AddRectFilled(low, {low.x + bar.x, low.y + bar.y},
                            view::packed(view::with_opacity(view::paint::paper, 0.15)));
         list.AddRectFilled({low.x + share * bar.x * 0.75F, low.y},
-                           {low.x + (share * 0.75F + 0.25F) * bar.x, low.y + bar.y}, view::packed(view::paint::accent));
+                           {low.x + (share * 0.75F + wide) * bar.x, low.y + bar.y}, view::packed(view::paint::accent));
         ImGui::Dummy(bar);
         ImGui::End();
     }
@@ -314,8 +332,9 @@ void App::keep_screenshots() {
 void App::keep_settings() {
     if (settings_path_.empty()) return;
     if (!display_->is_full_screen() && !options_.headless && !options_.size) {
-        settings_.width = display_->size().x;
-        settings_.height = display_->size().y;
+        // A window that is opened is made larger by the scale of its screen, where that counts in pixels.
+        settings_.width = static_cast<int>(std::lround(display_->size().x / display_->scale()));
+        settings_.height = static_cast<int>(std::lround(display_->size().y / display_->scale()));
     }
     const auto kept = view::write_settings(settings_, settings_path_);
     if (!kept) fmt::print(stderr, "surefoot-playground: {}\n", kept.error().text);

@@ -71,6 +71,7 @@ private:
     std::unique_ptr<view::ImGuiAdapter> imgui_;
     view::Toasts toasts_;
     view::FileBrowser browser_;
+    view::Chooser chooser_;
     std::unique_ptr<LevelLoader> levels_;
     std::optional<Stage> stage_;
     std::unique_ptr<Room> room_;
@@ -92,7 +93,8 @@ private:
     bool quit_ = false;
     std::string failure_;
     ExitCode code_ = ExitCode::ok;
-    std::vector<double> frame_times_;
+    std::vector<double> frame_times_;       // [s]
+    std::vector<double> frame_processing_;  // of all threads together [s]
 };
 
 }  // namespace surefoot::playground

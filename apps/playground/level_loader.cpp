@@ -14,8 +14,12 @@ LevelLoader::Result LevelLoader::read(const std::string& path, const Progress& p
     try {
         tools::LevelOptions options;
         options.file = path;
-        auto level = std::make_shared<LoadedLevel>(LoadedLevel{tools::load_level(options), {}});
-        *progress = Step::looking;
+        auto level = std::make_shared<LoadedLevel>(
+            LoadedLevel{tools::load_level(options,
+                                          [&](tools::LoadStep step, double done) {
+                                              progress->store({step, static_cast<std::int32_t>(100 * done)});
+                                          }),
+                        {}});
         const auto report = cook_report(level->level.mesh);
         if (!report) return failed(path + ": " + report.error().text);
         level->report = *report;
@@ -30,7 +34,7 @@ LevelLoader::Result LevelLoader::read(const std::string& path, const Progress& p
 void LevelLoader::load(const std::string& path, Done done, Failed failed) {
     forget();
     path_ = path;
-    progress_ = std::make_shared<std::atomic<Step>>(Step::reading);
+    progress_ = std::make_shared<std::atomic<Stage>>(Stage{});
     began_ = std::chrono::steady_clock::now();
     done_ = std::move(done);
     failed_ = std::move(failed);
@@ -47,7 +51,21 @@ void LevelLoader::forget() {
 
 std::string_view LevelLoader::step() const {
     if (path_.empty()) return {};
-    return *progress_ == Step::reading ? "reading and cooking" : "looking for odd spots";
+    switch (progress_->load().step) {
+        case tools::LoadStep::reading:
+            return "reading";
+        case tools::LoadStep::cooking:
+            return "cooking";
+        case tools::LoadStep::opening:
+            break;
+    }
+    return "opening";
+}
+
+std::optional<int> LevelLoader::percent() const {
+    if (path_.empty()) return std::nullopt;
+    const Stage stage = progress_->load();
+    return stage.step == tools::LoadStep::cooking ? std::optional<int>(stage.percent) : std::nullopt;
 }
 
 double LevelLoader::seconds() const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,15 +45,20 @@ public:
     /// What is loading, or empty.
     [[nodiscard]] const std::string& loading() const { return path_; }
 
-    /// What is being done with it, for the user, and since when it is loading [s].
+    /// What is being done with it, for the user; how much of that is done [per cent], where it is known; and since when
+    /// it is loading [s].
     [[nodiscard]] std::string_view step() const;
+    [[nodiscard]] std::optional<int> percent() const;
     [[nodiscard]] double seconds() const;
 
 private:
     using Result = Expected<Loaded>;
     /// How far a load has come; its thread writes it.
-    enum class Step : int { reading, looking };
-    using Progress = std::shared_ptr<std::atomic<Step>>;
+    struct Stage {
+        tools::LoadStep step = tools::LoadStep::opening;
+        std::int32_t percent = 0;
+    };
+    using Progress = std::shared_ptr<std::atomic<Stage>>;
     static Result read(const std::string& path, const Progress& progress);
 
     bool at_once_;

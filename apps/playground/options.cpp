@@ -63,7 +63,7 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
         ->check(CLI::IsMember({"core", "es"}));
     bool list_rooms = false;
     program.add_flag("--list-rooms", list_rooms, "Print what --room takes, a line each, and end");
-    program.add_flag("--timing", options.timing, "Print how long frames took");
+    program.add_flag("--timing", options.timing, "Print how long frames took, and how much of all processors");
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 
 #include "playground/level_loader.hpp"
 #include "view/camera.hpp"
+#include "view/chooser.hpp"
 #include "view/display.hpp"
 #include "view/file_browser.hpp"
 #include "view/help.hpp"
@@ -26,6 +27,7 @@ struct Stage {
     view::Settings& settings;
     view::Toasts& toasts;
     view::FileBrowser& browser;
+    view::Chooser& chooser;
     LevelLoader& levels;
     bool headless = false;  ///< no user is there: nothing of the machine's but what was asked for
     std::string level{};    ///< from the command line; empty if none was named
@@ -35,10 +37,15 @@ struct Stage {
     /// Shows the dialog and loads what the user chooses; `done` is called when it is there.
     void browse_for_level(const LevelLoader::Done& done);
 
-    /// Loads a level; one that fails is told to the user and `done` is not called.
+    /// Loads a level; one that fails is told to the user and `done` is not called. Of a .pk3 with several maps, the
+    /// user is asked which.
     void open_level(const std::string& path, const LevelLoader::Done& done);
 
-    /// Forgets what was to be called back, and closes the dialog: for the house, when the room is gone.
+    /// Is a dialog open, so that what is behind it has to wait?
+    [[nodiscard]] bool has_dialog() const { return browser.is_open() || chooser.is_open(); }
+    void close_dialogs();
+
+    /// Forgets what was to be called back, and closes the dialogs: for the house, when the room is gone.
     void forget_pending();
 };
 

@@ -1,10 +1,22 @@
 #include <filesystem>
 
+#include <surefoot/import.hpp>
+
 #include "playground/room.hpp"
 
 namespace surefoot::playground {
 
 void Stage::open_level(const std::string& path, const LevelLoader::Done& done) {
+    // What cannot be listed is not read either: then loading says why.
+    const auto maps = maps_in(path);
+    if (maps && maps->size() > 1) {
+        const std::string name = std::filesystem::path(path).filename().string();
+        chooser.open("Maps in " + name, *maps, [this, path, done](const std::string& map) {
+            level = path + ":" + map;
+            open_level(level, done);
+        });
+        return;
+    }
     levels.load(
         path,
         [this, path, done](const LevelLoader::Loaded& loaded) {
@@ -17,13 +29,19 @@ void Stage::open_level(const std::string& path, const LevelLoader::Done& done) {
 }
 
 void Stage::browse_for_level(const LevelLoader::Done& done) {
+    chooser.close();
     browser.open("Open a level",
                  {".surefoot", ".obj", ".gltf", ".glb", ".ply", ".stl", ".ac", ".blend", ".bsp", ".pk3"},
                  [this, done](const std::string& path) { open_level(path, done); });
 }
 
-void Stage::forget_pending() {
+void Stage::close_dialogs() {
     browser.close();
+    chooser.close();
+}
+
+void Stage::forget_pending() {
+    close_dialogs();
     levels.forget();
 }
 

@@ -1,5 +1,6 @@
 #include "view/display.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <memory>
@@ -91,6 +92,21 @@ TEST(Renderer, is_a_sink_of_the_cores_debug_drawing) {
                             .at(static_cast<int>(at->at.x), static_cast<int>(at->at.y));
     EXPECT_GT(seen.g, 240);
     EXPECT_LT(seen.r, 40);
+}
+
+TEST(Renderer, lines_and_heads_of_arrows_grow_with_letters) {
+    Studio studio;
+    const auto photo = [&](double scale, double width) {
+        studio.renderer.begin({from_above(), {320, 240}, {320, 240}, scale});
+        studio.renderer.arrow({-1, 0, 0}, {1, 0, 0}, {.colour = rgb(0xFF0000), .width = width}, 4 * width);
+        studio.renderer.point({0, 0, 2}, 3 * width, rgb(0x0000FF));
+        studio.renderer.end(studio.display->framebuffer());
+        return read_picture(studio.display->framebuffer(), {320, 240}).pixels;
+    };
+    const auto same = [](Colour a, Colour b) { return a.r == b.r && a.g == b.g && a.b == b.b; };
+    const auto twice = photo(2, 3);
+    EXPECT_TRUE(std::ranges::equal(twice, photo(1, 6), same));
+    EXPECT_FALSE(std::ranges::equal(twice, photo(1, 3), same));
 }
 
 TEST(Renderer, a_window_made_small_to_nothing_is_no_error) {

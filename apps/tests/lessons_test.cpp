@@ -219,7 +219,7 @@ public:
         display_ = std::move(*display);
         renderer_ = std::make_unique<view::Renderer>();
         imgui_ = std::make_unique<view::ImGuiAdapter>(*display_);
-        stage_.emplace(Stage{*display_, *renderer_, settings_, toasts_, browser_, levels_, true});
+        stage_.emplace(Stage{*display_, *renderer_, settings_, toasts_, browser_, chooser_, levels_, true});
         panel_->enter(*stage_);
         look();
         for (int i = 0; i < 3; ++i) frame();
@@ -288,6 +288,7 @@ private:
     view::Settings settings_;
     view::Toasts toasts_;
     view::FileBrowser browser_;
+    view::Chooser chooser_;
     LevelLoader levels_{true};
     std::optional<Stage> stage_;
     view::OrbitCamera camera_;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "playground/app.hpp"
+#include "playground/walk/fetcher.hpp"
 #include "view/gl.hpp"
 #include "view/widgets.hpp"
 
@@ -199,13 +200,21 @@ TEST(Playground, maps_are_fetched_by_the_button_and_the_room_may_be_left_meanwhi
     EXPECT_FALSE(view::ui::find_item("Fetch OpenArena's maps")) << "they are there";
     app.reset();
     fs::remove_all(home / "cache");
-    write("sleep 20\n");
+    write("echo started >> starts\nsleep 20\n");
     const auto slow = open("walk", level);
     play(*slow, "wait 3\nclick \"Fetch OpenArena's maps\"\nwait 1\nquit");
     const auto start = std::chrono::steady_clock::now();
     slow->go_to("");
     slow->frame();
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    slow->go_to("walk");
+    play(*slow, "wait 3\nquit");
+    EXPECT_FALSE(view::ui::find_item("Fetch OpenArena's maps")) << "it still runs";
+    Fetcher().begin();
+    for (int i = 0; i < 500 && !fs::exists(home / "starts"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(fs::file_size(home / "starts"), std::string("started\n").size()) << "one start";
     fs::current_path(before);
 }
 

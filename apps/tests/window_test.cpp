@@ -13,6 +13,7 @@
 
 // clang-format off
 // Last, as it makes macros of common words.
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/extensions/XTest.h>
 #include <X11/keysym.h>
@@ -59,22 +60,63 @@ struct Screen {
     }
 };
 
-bool contains_window(Display* display, Window window, const std::string& title) {
+/// The window with this title, or 0.
+Window find_window(Display* display, Window window, const std::string& title) {
     char* name = nullptr;
     if (XFetchName(display, window, &name) != 0 && name != nullptr) {
         const bool same = title == name;
         XFree(name);
-        if (same) return true;
+        if (same) return window;
     }
     Window root = 0;
     Window parent = 0;
     Window* children = nullptr;
     unsigned count = 0;
-    if (XQueryTree(display, window, &root, &parent, &children, &count) == 0) return false;
-    bool found = false;
-    for (unsigned i = 0; i < count && !found; ++i) found = contains_window(display, children[i], title);
+    if (XQueryTree(display, window, &root, &parent, &children, &count) == 0) return 0;
+    Window found = 0;
+    for (unsigned i = 0; i < count && found == 0; ++i) found = find_window(display, children[i], title);
     if (children != nullptr) XFree(children);
     return found;
+}
+
+Window wait_for_window(Display* display) {
+    Window found = 0;
+    for (int i = 0; i < 300 && found == 0; ++i) {
+        std::this_thread::sleep_for(100ms);
+        found = find_window(display, DefaultRootWindow(display), "Surefoot playground");
+    }
+    std::this_thread::sleep_for(2s);
+    return found;
+}
+
+std::string size_of(Display* display, Window window) {
+    XWindowAttributes attributes{};
+    if (window == 0 || XGetWindowAttributes(display, window, &attributes) == 0) return "no window";
+    return std::to_string(attributes.width) + "x" + std::to_string(attributes.height);
+}
+
+/// Waits until the window is that large.
+std::string size_that_comes(Display* display, Window window, const std::string& wanted) {
+    for (int i = 0; i < 100 && size_of(display, window) != wanted; ++i) std::this_thread::sleep_for(100ms);
+    return size_of(display, window);
+}
+
+bool ends_well(pid_t program) {
+    kill(program, SIGTERM);
+    int status = 0;
+    waitpid(program, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+fs::path fresh_folder(const std::string& name) {
+    fs::path folder = fs::path(testing::TempDir()) / ("surefoot-" + name + "-" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    return folder;
 }
 
 void strike(Display* display, KeySym key) {
@@ -90,8 +132,7 @@ void strike(Display* display, KeySym key) {
 TEST(Window, a_click_on_the_card_enters_walk_and_its_setting_is_kept) {
     const Screen screen;
     if (screen.name.empty()) GTEST_SKIP() << "Xvfb is not installed";
-    const fs::path folder = fs::path(testing::TempDir()) / ("surefoot-window-" + std::to_string(getpid()));
-    fs::create_directories(folder);
+    const fs::path folder = fresh_folder("window");
     const std::string settings = (folder / "settings.json").string();
     const std::string picture = (folder / "last.png").string();
     const pid_t program =
@@ -100,13 +141,7 @@ TEST(Window, a_click_on_the_card_enters_walk_and_its_setting_is_kept) {
               screen.name);
     Display* const display = XOpenDisplay(screen.name.c_str());
     ASSERT_NE(display, nullptr);
-    bool there = false;
-    for (int i = 0; i < 300 && !there; ++i) {
-        std::this_thread::sleep_for(100ms);
-        there = contains_window(display, DefaultRootWindow(display), "Surefoot playground");
-    }
-    EXPECT_TRUE(there);
-    std::this_thread::sleep_for(2s);
+    EXPECT_NE(wait_for_window(display), 0U);
     // Without a window manager the window lies at the upper left of the screen, and the card of Walk at its lower edge,
     // to the right.
     XTestFakeMotionEvent(display, -1, 576, 500, 0);
@@ -122,15 +157,74 @@ TEST(Window, a_click_on_the_card_enters_walk_and_its_setting_is_kept) {
     XSetInputFocus(display, PointerRoot, RevertToPointerRoot, CurrentTime);
     strike(display, XK_F1);
     strike(display, XK_F1);
-    kill(program, SIGTERM);
-    int status = 0;
-    waitpid(program, &status, 0);
+    EXPECT_TRUE(ends_well(program));
     XCloseDisplay(display);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-    std::ifstream kept(settings);
-    const std::string text{std::istreambuf_iterator<char>(kept), std::istreambuf_iterator<char>()};
+    const std::string text = text_of(settings);
     EXPECT_NE(text.find("training-ground.glb"), std::string::npos) << text;
     EXPECT_TRUE(fs::exists(picture));
+    fs::remove_all(folder);
+}
+
+TEST(Window, f11_fills_the_screen_and_goes_back_and_is_remembered) {
+    const Screen screen;
+    if (screen.name.empty()) GTEST_SKIP() << "Xvfb is not installed";
+    const fs::path folder = fresh_folder("full-screen");
+    const std::string settings = (folder / "settings.json").string();
+    const auto open = [&] { return start({SUREFOOT_PLAYGROUND, "--settings", settings}, screen.name); };
+    std::ofstream(settings) << R"({"width": 640, "height": 480, "preset": "software"})";
+    Display* const display = XOpenDisplay(screen.name.c_str());
+    ASSERT_NE(display, nullptr);
+    pid_t program = open();
+    Window window = wait_for_window(display);
+    EXPECT_EQ(size_of(display, window), "640x480");
+    XSetInputFocus(display, window, RevertToPointerRoot, CurrentTime);
+    strike(display, XK_F11);
+    EXPECT_EQ(size_that_comes(display, window, "1024x768"), "1024x768");
+    strike(display, XK_F11);
+    EXPECT_EQ(size_that_comes(display, window, "640x480"), "640x480");
+    strike(display, XK_F11);
+    EXPECT_EQ(size_that_comes(display, window, "1024x768"), "1024x768");
+    EXPECT_TRUE(ends_well(program));
+    const std::string text = text_of(settings);
+    EXPECT_NE(text.find("\"full_screen\": true"), std::string::npos) << text;
+    EXPECT_NE(text.find("640"), std::string::npos) << "how large the window was is kept: " << text;
+    program = open();
+    window = wait_for_window(display);
+    EXPECT_EQ(size_that_comes(display, window, "1024x768"), "1024x768");
+    XSetInputFocus(display, window, RevertToPointerRoot, CurrentTime);
+    strike(display, XK_F11);
+    EXPECT_EQ(size_that_comes(display, window, "640x480"), "640x480");
+    EXPECT_TRUE(ends_well(program));
+    XCloseDisplay(display);
+    fs::remove_all(folder);
+}
+
+TEST(Window, on_a_screen_of_twice_the_scale_it_is_twice_as_large_and_stays_so) {
+    const Screen screen;
+    if (screen.name.empty()) GTEST_SKIP() << "Xvfb is not installed";
+    const fs::path folder = fresh_folder("scale");
+    const std::string settings = (folder / "settings.json").string();
+    const std::string picture = (folder / "last.png").string();
+    std::ofstream(settings) << R"({"width": 400, "height": 300, "preset": "software"})";
+    Display* const display = XOpenDisplay(screen.name.c_str());
+    ASSERT_NE(display, nullptr);
+    // Where desktops write the resolution that they want letters to have: 96 is once.
+    const std::string resources = "Xft.dpi:\t192\n";
+    XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
+    XSync(display, False);
+    for (int opened = 0; opened < 2; ++opened) {
+        const pid_t program =
+            start({SUREFOOT_PLAYGROUND, "--settings", settings, "--screenshot", picture}, screen.name);
+        const Window window = wait_for_window(display);
+        EXPECT_EQ(size_of(display, window), "800x600") << opened;
+        EXPECT_TRUE(ends_well(program));
+        EXPECT_TRUE(fs::exists(picture));
+        const std::string text = text_of(settings);
+        EXPECT_NE(text.find("\"width\": 400"), std::string::npos) << text;
+        EXPECT_NE(text.find("\"height\": 300"), std::string::npos) << text;
+    }
+    XCloseDisplay(display);
     fs::remove_all(folder);
 }
 

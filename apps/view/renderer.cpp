@@ -41,6 +41,10 @@ std::string with_light(std::string_view source) {
     return std::string(shaders::light) + std::string(source);
 }
 
+std::string with_mesh_light(std::string_view source) {
+    return with_light(shaders::mesh_light) + std::string(source);
+}
+
 }  // namespace
 
 dvec3 Renderer::PlacedModel::origin() const {
@@ -70,10 +74,11 @@ Renderer::Parts::Parts()
       flat_buffer(gl::Buffer::make()) {
     for (const int shadows : {0, 1}) {
         const std::string define = shadows != 0 ? "#define SHADOWS\n" : "";
-        constexpr const char* looks[] = {"", "#define FLAT\n", "#define EDGES\n"};
+        const char* const looks[] = {"", shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n",
+                                     "#define EDGES\n"};
         for (int look = 0; look < 3; ++look)
-            mesh[shadows][look] =
-                gl::Program("mesh", shaders::mesh_vertex, with_light(shaders::mesh_fragment), define + looks[look]);
+            mesh[shadows][look] = gl::Program("mesh", with_mesh_light(shaders::mesh_vertex),
+                                              with_mesh_light(shaders::mesh_fragment), define + looks[look]);
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());
@@ -117,7 +122,7 @@ void Renderer::outline(const PlacedShape& shape) {
     const dmat4 back = glm::transpose(shape.turn);
     const vec3 eye(back * glm::dvec4(view_.camera.eye - shape.position, 0));
     const gl::mat4 to_eye = shape.from_model(view_.camera.eye);
-    const double width = shape.look.outline * view_.pixels_per_unit();
+    const double width = shape.look.outline * view_.line_pixels();
     const Colour line = mixed(with_opacity(shape.look.colour, 1), paint::ink, 0.25);
     for (const ShapeMesh::Edge& edge : shape.model->mesh.edges) {
         const vec3 look = edge.from - eye;
@@ -134,7 +139,7 @@ void Renderer::outline(const PlacedShape& shape) {
 }
 
 void Renderer::line(const dvec3& from, const dvec3& to, const Stroke& stroke) {
-    const double width = stroke.width * view_.pixels_per_unit();
+    const double width = stroke.width * view_.line_pixels();
     parts_->lines.add(seen(from), seen(to), width, width, stroke.colour, stroke.behind);
 }
 
@@ -144,7 +149,7 @@ void Renderer::polyline(std::span<const dvec3> points, const Stroke& stroke, boo
 }
 
 void Renderer::point(const dvec3& place, double size, Colour colour, double behind) {
-    const double width = size * view_.pixels_per_unit();
+    const double width = size * view_.line_pixels();
     parts_->lines.add(seen(place), seen(place), width, width, colour, behind);
 }
 
@@ -153,9 +158,9 @@ void Renderer::arrow(const dvec3& from, const dvec3& to, const Stroke& stroke, d
     const auto at = view_.camera.project(to, view_.size);
     if (!(length > 0)) return;
     const double depth = at ? at->depth : view_.camera.nearest;
-    const double share = std::min(head * view_.camera.unit_at(depth, view_.size) / length, 0.5);
+    const double share = std::min(head * view_.scale * view_.camera.unit_at(depth, view_.size) / length, 0.5);
     const dvec3 neck = to + (from - to) * share;
-    const double unit = view_.pixels_per_unit();
+    const double unit = view_.line_pixels();
     parts_->lines.add(seen(from), seen(neck), stroke.width * unit, stroke.width * unit, stroke.colour, stroke.behind);
     const double base = std::max(head * 0.62, stroke.width * 2.2) * unit;
     parts_->lines.add(seen(neck), seen(to), base, 0.5, stroke.colour, stroke.behind);

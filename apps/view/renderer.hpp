@@ -25,13 +25,17 @@ struct FrameView {
     Camera camera;
     ivec2 size{1280, 720};         ///< in window units
     ivec2 framebuffer{1280, 720};  ///< in pixels
+    double scale = 1;              ///< of letters, and so of lines and of what marks a place
 
     [[nodiscard]] double pixels_per_unit() const { return double(framebuffer.y) / size.y; }
+
+    /// Of what is as wide however far away it is.
+    [[nodiscard]] double line_pixels() const { return pixels_per_unit() * scale; }
 };
 
 /// The lines on a model's edges, by `EdgeKind`: open, convex, flat, concave. An opacity of 0 hides a kind.
 struct EdgeLook {
-    double width = 0;  ///< [window units]; 0 for none
+    double width = 0;  ///< [window units, for usual letters]; 0 for none
     Colour kinds[4] = {with_opacity(paint::ink, 0.5), with_opacity(paint::ink, 0.35), with_opacity(paint::ink, 0.16),
                        with_opacity(paint::ink, 0.35)};
 };
@@ -44,7 +48,7 @@ struct ModelLook {
 struct ShapeLook {
     Colour colour = paint::hit;
     double opacity = 0.35;  ///< of its middle; 1 is a solid body
-    double outline = 2;     ///< [window units], 0 for none
+    double outline = 2;     ///< [window units, for usual letters], 0 for none
     double behind = 0.30;   ///< how much of the outline is seen through what hides it
     bool casts_shadow = true;
 };
@@ -85,10 +89,10 @@ public:
     void line(const dvec3& from, const dvec3& to, const Stroke& stroke);
     void polyline(std::span<const dvec3> points, const Stroke& stroke, bool closed = false);
 
-    /// `size` is its diameter in window units.
+    /// `size` is its diameter in window units, for usual letters.
     void point(const dvec3& place, double size, Colour colour, double behind = 0.3);
 
-    /// The head is `head` window units long, but at most half of the arrow.
+    /// The head is `head` window units long, for usual letters, but at most half of the arrow.
     void arrow(const dvec3& from, const dvec3& to, const Stroke& stroke, double head = 14);
 
     void box(const Bounds& bounds, const Stroke& stroke);

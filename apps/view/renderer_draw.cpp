@@ -174,7 +174,7 @@ void Renderer::draw_models() {
         program.set("clip_from_eye", p.clip_from_eye);
         program.set("eye_from_model", from_model);
         if (with_edges) {
-            program.set("edge_width", static_cast<float>(edges.width * view_.pixels_per_unit()));
+            program.set("edge_width", static_cast<float>(edges.width * view_.line_pixels()));
             constexpr const char* names[] = {"edge_colours[0]", "edge_colours[1]", "edge_colours[2]",
                                              "edge_colours[3]"};
             for (int i = 0; i < 4; ++i) program.set(names[i], to_vec4(edges.kinds[i]));

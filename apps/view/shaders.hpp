@@ -62,6 +62,19 @@ vec3 fogged(vec3 colour, vec3 place) {
 }
 )";
 
+/// Backs are darker and warmer.
+inline constexpr std::string_view mesh_light = R"(
+vec3 lit_from_eye(vec3 normal, vec3 place, vec3 colour) {
+    normal = normalize(normal);
+    bool back = dot(normal, place) > 0.0;
+    if (back) normal = -normal;
+    vec3 albedo = colour * colour;
+    if (back) albedo *= vec3(0.72, 0.66, 0.70);
+    return shaded(albedo, place, normal);
+}
+)";
+
+/// With LIT_WHOLE, light is worked out once for a flat triangle on which no shadow falls, and not for its every pixel.
 inline constexpr std::string_view mesh_vertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -74,21 +87,29 @@ flat out uint v_info;
 uniform mat4 clip_from_eye;
 uniform mat4 eye_from_model;
 out vec3 v_place;
+#ifdef LIT_WHOLE
+flat out vec3 v_lit;
+#else
 #ifdef FLAT
 flat
 #endif
 out vec3 v_normal;
 flat out vec4 v_colour;
+#endif
 void main() {
     vec4 place = eye_from_model * vec4(position, 1.0);
     v_place = place.xyz;
+#ifdef LIT_WHOLE
+    v_lit = lit_from_eye(mat3(eye_from_model) * normal, v_place, colour.rgb);
+#else
     v_normal = mat3(eye_from_model) * normal;
+    v_colour = colour;
+#endif
 #ifdef EDGES
     int corner = gl_VertexID % 3;
     v_corner = vec3(corner == 0, corner == 1, corner == 2);
     v_info = info;
 #endif
-    v_colour = colour;
     gl_Position = clip_from_eye * place;
 }
 )";
@@ -96,11 +117,15 @@ void main() {
 /// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface.
 inline constexpr std::string_view mesh_fragment = R"(
 in vec3 v_place;
+#ifdef LIT_WHOLE
+flat in vec3 v_lit;
+#else
 #ifdef FLAT
 flat
 #endif
 in vec3 v_normal;
 flat in vec4 v_colour;
+#endif
 out vec4 result;
 #ifdef EDGES
 in vec3 v_corner;
@@ -114,12 +139,11 @@ vec4 kind(uint edge) {
 }
 #endif
 void main() {
-    vec3 normal = normalize(v_normal);
-    bool back = dot(normal, v_place) > 0.0;
-    if (back) normal = -normal;
-    vec3 albedo = v_colour.rgb * v_colour.rgb;
-    if (back) albedo *= vec3(0.72, 0.66, 0.70);
-    vec3 colour = shaded(albedo, v_place, normal);
+#ifdef LIT_WHOLE
+    vec3 colour = v_lit;
+#else
+    vec3 colour = lit_from_eye(v_normal, v_place, v_colour.rgb);
+#endif
 #ifdef EDGES
     vec3 per_pixel = fwidth(v_corner);
     vec3 far = v_corner / per_pixel;         // pixels from the edges bc, ca, ab

@@ -101,6 +101,10 @@ Error failure(ErrorCode code, std::string text) {
     return {.code = code, .text = std::move(text), .file = {}};
 }
 
+Error no_zip() {
+    return failure(ErrorCode::unreadable, "it is no zip file, or it is cut short; take another copy of it");
+}
+
 std::string list_of(const std::vector<Entry>& maps) {
     constexpr std::size_t most = 100;
     std::string list;
@@ -185,12 +189,19 @@ Expected<std::string> unpack(unzFile zip, Entry& entry, const ReadLimits& limits
 
 }  // namespace
 
+Expected<std::vector<std::string>> maps_in_pk3(std::istream& file, const ReadLimits& limits) {
+    const Zip zip = open_zip(file);
+    if (!zip) return tl::unexpected(no_zip());
+    const auto maps = maps_in(zip.get(), limits);
+    if (!maps) return tl::unexpected(maps.error());
+    std::vector<std::string> names;
+    for (const Entry& map : *maps) names.push_back(map.name);
+    return names;
+}
+
 Expected<PackedMap> read_pk3(std::istream& file, std::string_view wanted, const ReadLimits& limits) {
     const Zip zip = open_zip(file);
-    if (!zip) {
-        return tl::unexpected(
-            failure(ErrorCode::unreadable, "it is no zip file, or it is cut short; take another copy of it"));
-    }
+    if (!zip) return tl::unexpected(no_zip());
     const auto maps = maps_in(zip.get(), limits);
     if (!maps) return tl::unexpected(maps.error());
     auto entry = choose(*maps, wanted);

@@ -18,6 +18,11 @@ struct PackedMap {
     std::string bytes;
 };
 
+/// The names of all maps, sorted. Takes no longer than the limits allow.
+///
+/// Fails with `unreadable` for what is no zip or whose list of files is damaged.
+[[nodiscard]] Expected<std::vector<std::string>> maps_in_pk3(std::istream& file, const ReadLimits& limits);
+
 /// The map that is wanted ("maps/oa_dm1.bsp", "oa_dm1.bsp" or "oa_dm1", in any case of letters), or the only one if
 /// nothing is. Any bytes are fine: takes no more memory than the limits allow, and no longer.
 ///

@@ -128,6 +128,20 @@ Expected<ImportedLevel> import_blend(const internal::LimitedRead& request) {
                                 .file = {}});
 }
 
+Deadline deadline_of(const ImportOptions& options) {
+    return std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                  std::chrono::duration<double>(options.time_limit));
+}
+
+Expected<std::vector<std::string>> maps_unnamed(const std::string& path, const ImportOptions& options) {
+    if (auto error = check_options(options)) return tl::unexpected(std::move(*error));
+    const auto format = internal::format_of(path);
+    if (!format || *format != Format::pk3) return {};
+    if (const auto size = size_of(path); !size) return tl::unexpected(size.error());
+    std::ifstream file(path, std::ios::binary);
+    return internal::quake3::maps_in_pk3(file, {.deadline = deadline_of(options), .bytes = options.memory_limit});
+}
+
 Expected<ImportedLevel> import_unnamed(const std::string& path, const ImportOptions& options) {
     if (auto error = check_options(options)) return tl::unexpected(std::move(*error));
     const LevelPath place = level_path(path);
@@ -138,15 +152,13 @@ Expected<ImportedLevel> import_unnamed(const std::string& path, const ImportOpti
     // Of a .pk3 only one map is read, so that its own size says nothing.
     if (*format != Format::pk3 && *size > options.memory_limit) return tl::unexpected(internal::memory_error());
 
-    const auto time = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(options.time_limit));
     const internal::LimitedRead request{
         .path = place.file,
         .inside = place.inside,
         .format = *format,
         .placement = {.scale = options.scale.value_or(internal::usual_scale(*format)),
                       .up = options.up == UpAxis::by_format ? internal::usual_up(*format) : options.up},
-        .deadline = std::chrono::steady_clock::now() + time,
+        .deadline = deadline_of(options),
         .options = options};
     if (*format == Format::obj) return import_obj(request, *size);
     if (*format == Format::blend) return import_blend(request);
@@ -165,6 +177,12 @@ Error named(Error error, const std::string& path) {
     return error;
 }
 
+Error no_memory() {
+    return {.code = ErrorCode::out_of_memory,
+            .text = "memory ran out while reading; close other programs, or split the level",
+            .file = {}};
+}
+
 }  // namespace
 
 LevelPath level_path(const std::string& path) {
@@ -177,6 +195,16 @@ LevelPath level_path(const std::string& path) {
     return {.file = path.substr(0, colon + 4), .inside = path.substr(colon + 5)};
 }
 
+Expected<std::vector<std::string>> maps_in(const std::string& file, const ImportOptions& options) {
+    try {
+        auto maps = maps_unnamed(file, options);
+        if (!maps) return tl::unexpected(named(maps.error(), file));
+        return maps;
+    } catch (const std::bad_alloc&) {
+        return tl::unexpected(named(no_memory(), file));
+    }
+}
+
 Expected<ImportedLevel> import_level(const std::string& path, const ImportOptions& options) {
     try {
         Expected<ImportedLevel> level = import_unnamed(path, options);
@@ -184,10 +212,7 @@ Expected<ImportedLevel> import_level(const std::string& path, const ImportOption
         level->file = path;
         return level;
     } catch (const std::bad_alloc&) {
-        return tl::unexpected(named({.code = ErrorCode::out_of_memory,
-                                     .text = "memory ran out while reading; close other programs, or split the level",
-                                     .file = {}},
-                                    path));
+        return tl::unexpected(named(no_memory(), path));
     }
 }
 

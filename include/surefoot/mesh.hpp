@@ -147,10 +147,11 @@ public:
     /// The box around all triangles; all zeros for an empty mesh.
     [[nodiscard]] Bounds bounds() const noexcept;
 
-    /// Requires: `id` < triangle_count(). The corners, widened from float without change, in the order of the input.
+    /// The corners, widened from float without change, in the order of the input. All zeros for an id that is not there,
+    /// as a hit in a file that was not checked may name one.
     [[nodiscard]] Triangle triangle(std::uint32_t id) const noexcept;
 
-    /// Requires: `id` < triangle_count().
+    /// 0 for an id that is not there.
     [[nodiscard]] std::uint32_t surface(std::uint32_t id) const noexcept;
 
     [[nodiscard]] bool is_hidden(std::uint32_t id) const noexcept;

@@ -120,8 +120,9 @@ struct MeshView {
         return {corner(0), corner(1), corner(2)};
     }
 
-    /// Requires: `id` < triangle_count().
+    /// All zeros for an id that is not there: a hit in a hostile file may name one.
     [[nodiscard]] Triangle triangle(std::uint32_t id) const noexcept {
+        if (id >= places.size()) return {};
         const LeafBlock block = leaf(places[id] >> 3);
         const std::uint32_t slot = places[id] & 7;
         return slot < block.count ? triangle(block, slot) : Triangle{};

@@ -61,6 +61,7 @@ public:
     /// Between these two, edits of the same thing are one step.
     void begin_drag() { dragging_ = true; }
     void end_drag() { dragging_ = merges_ = false; }
+    [[nodiscard]] bool is_dragged() const { return dragging_; }
 
     /// False if there is nothing to undo, or to redo. Both end a drag.
     bool undo();

@@ -64,9 +64,9 @@ bool operator==(const Question& a, const Question& b) {
     if (a.triangles.size() != b.triangles.size()) return false;
     for (std::size_t i = 0; i < a.triangles.size(); ++i)
         if (!same(a.triangles[i], b.triangles[i])) return false;
-    return a.world == b.world && a.level == b.level && a.motion.from == b.motion.from && a.motion.to == b.motion.to &&
-           a.shape == b.shape && same_sizes(a.sizes, b.sizes) && a.orientation == b.orientation &&
-           a.one_sided == b.one_sided;
+    return a.world == b.world && a.level == b.level && a.opened == b.opened && a.motion.from == b.motion.from &&
+           a.motion.to == b.motion.to && a.shape == b.shape && same_sizes(a.sizes, b.sizes) &&
+           a.orientation == b.orientation && a.one_sided == b.one_sided;
 }
 
 std::vector<Remark> remarks(const Question& question) {

@@ -43,6 +43,7 @@ struct Question {
     WorldKind world = WorldKind::triangle;
     std::vector<Triangle> triangles;  ///< of the world; none for a level
     std::string level;                ///< its file; empty for a few triangles
+    std::uint32_t opened = 0;         ///< tells levels apart that were opened from one file, which may have changed
     Motion motion;                    ///< START and END
     ShapeName shape = ShapeName::ellipsoid;
     ShapeSizes sizes;

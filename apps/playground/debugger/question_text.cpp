@@ -123,6 +123,7 @@ tools::Parsed<Question> from_line(std::string_view line, const Question& now) {
         question.triangles = std::move(*triangles);
         question.world = world_of(question.triangles);
         question.level.clear();
+        question.opened = 0;
     }
     return question;
 }

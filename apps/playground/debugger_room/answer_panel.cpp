@@ -74,8 +74,12 @@ void AnswerPanel::numbers(Investigation& asked) const {
     if (ui::radio("Tree", !brute)) asked.choose_search(Search::tree);
     ImGui::SameLine();
     if (ui::radio("Brute force", brute)) asked.choose_search(Search::brute_force);
-    ui::hint("Asks every triangle of the level, for every picture.");
-    if (asked.search() == Search::brute_force)
+    ui::hint(
+        "Asks every triangle of the level, whenever the question changes; of a very large one, when a drag is over.");
+    if (asked.search_waits())
+        ui::note(fmt::format("tree  t = {}\nAll {} triangles are asked when you let go.", t_of(hit),
+                             tools::grouped(asked.level()->level.mesh.triangle_count())));
+    else if (asked.search() == Search::brute_force)
         ui::note(fmt::format(
             "tree  t = {}\nbrute t = {}\n{}", t_of(asked.by_tree()), t_of(hit),
             difference_of(hit, asked.by_tree()).any() ? "They differ: please save this moment." : "The same bits."));

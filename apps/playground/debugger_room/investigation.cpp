@@ -1,7 +1,6 @@
 #include "playground/debugger_room/investigation.hpp"
 
 #include <array>
-#include <vector>
 
 #include "debugger/worlds.hpp"
 
@@ -29,6 +28,7 @@ bool same_world(const Question& a, const Question& b) {
     Question other = b;
     other.triangles = a.triangles;
     other.level = a.level;
+    other.opened = a.opened;
     other.world = a.world;
     return other == b;
 }
@@ -56,12 +56,19 @@ void Investigation::apply(const debugger::Edit& edit) {
     follow(!same_world(question(), before));
 }
 
+void Investigation::end_drag() {
+    history_.end_drag();
+    if (search_waits_) ask();
+}
+
 void Investigation::undo() {
+    end_drag();
     const Question before = question();
     if (history_.undo()) follow(!same_world(question(), before));
 }
 
 void Investigation::redo() {
+    end_drag();
     const Question before = question();
     if (history_.redo()) follow(!same_world(question(), before));
 }
@@ -72,9 +79,10 @@ void Investigation::choose_world(WorldKind world) {
 
 void Investigation::show(const LevelLoader::Loaded& level) {
     const std::string& file = level->level.file;
-    levels_[file] = level;
-    apply(debugger::Replace{debugger::question_in_level(file, level->level.mesh.bounds())});
-    follow(true);  // the file may be the same, and what is in it another
+    levels_.push_back(level);
+    Question question = debugger::question_in_level(file, level->level.mesh.bounds());
+    question.opened = static_cast<std::uint32_t>(levels_.size());
+    apply(debugger::Replace{std::move(question)});
 }
 
 void Investigation::show(const Moment& moment) {
@@ -92,8 +100,7 @@ void Investigation::follow(bool other_world) {
     if (moment_ && !(moment_->question == question())) moment_.reset();
     if (other_world) {
         const Question& now = question();
-        const auto known = levels_.find(now.level);
-        level_ = now.world == WorldKind::level && known != levels_.end() ? known->second : nullptr;
+        level_ = now.world == WorldKind::level && now.opened > 0 ? levels_[now.opened - 1] : nullptr;
         mesh_ = level_ ? std::optional(level_->level.mesh) : mesh_of(now.triangles);
         arena_ = level_ ? debugger::Arena(level_->level.mesh) : debugger::Arena(now.triangles);
         ++world_version_;
@@ -105,7 +112,9 @@ void Investigation::ask() {
     const Question& now = question();
     const Volume volume = now.volume();
     by_tree_.reset();
-    if (level_ && search_ == Search::brute_force) {
+    search_waits_ = level_ && search_ == Search::brute_force && history_.is_dragged() &&
+                    mesh_->triangle_count() > most_asked_while_dragged;
+    if (level_ && search_ == Search::brute_force && !search_waits_) {
         hit_ = mesh_->sweep(volume, now.motion, {.one_sided = now.one_sided, .search = search_});
         by_tree_ = arena_.sweep(volume, now.motion, now.one_sided);
     } else {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <surefoot/mesh.hpp>
 #include <surefoot/query.hpp>
@@ -47,7 +47,7 @@ public:
 
     void apply(const debugger::Edit& edit);
     void begin_drag() { history_.begin_drag(); }
-    void end_drag() { history_.end_drag(); }
+    void end_drag();
     void undo();
     void redo();
 
@@ -62,6 +62,9 @@ public:
     /// How a level is searched: by its tree, or by asking every triangle.
     [[nodiscard]] Search search() const { return search_; }
     void choose_search(Search search);
+    /// Every triangle of a very large level is asked only once a drag is over; until then the answer is the tree's.
+    [[nodiscard]] bool search_waits() const { return search_waits_; }
+    static constexpr std::size_t most_asked_while_dragged = 200000;
     /// The tree's answer, when every triangle was asked.
     [[nodiscard]] const std::optional<Hit>& by_tree() const { return by_tree_; }
 
@@ -76,12 +79,13 @@ private:
     debugger::Arena arena_;
     std::optional<Mesh> mesh_;
     LevelLoader::Loaded level_;
-    std::map<std::string, LevelLoader::Loaded> levels_;  // that were open, by file
+    std::vector<LevelLoader::Loaded> levels_;  // that were opened, for undo; `Question::opened` counts from 1
     std::optional<Hit> hit_;
     std::optional<Hit> by_tree_;
     debugger::Slid result_;
     std::optional<Moment> moment_;
     Search search_ = Search::tree;
+    bool search_waits_ = false;
     std::uint64_t version_ = 0;
     std::uint64_t world_version_ = 0;
 };

@@ -18,6 +18,7 @@ struct Inquiry {
     const debugger::Arena& arena;
     const std::optional<Hit>& hit;
     double t = 1;  ///< the moment that is looked at [0, 1]: the shape is drawn there too. A panel's slider may set it
+    bool is_dragged = false;  ///< what takes long can wait until it no longer is
 };
 
 class Panel {

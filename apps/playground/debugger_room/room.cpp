@@ -300,6 +300,7 @@ bool Debugger::update(double dt) {
     if (selected_ && selected_->kind == Target::Kind::corner &&
         selected_->triangle >= asked_.question().triangles.size())
         selected_.reset();
+    inquiry_.is_dragged = asked_.history().is_dragged();
     if (told_ != asked_.version()) {
         told_ = asked_.version();
         hovered_.reset();

@@ -10,7 +10,7 @@
 
 #include "debugger/support.hpp"
 #include "playground/debugger_room/framing.hpp"
-#include "playground/walk/thrower.hpp"
+#include "playground/feature_mark.hpp"
 #include "view/shapes.hpp"
 
 namespace surefoot::playground {

@@ -86,7 +86,7 @@ void SearchPanel::changed(const Inquiry& inquiry) {
 bool SearchPanel::update(double dt, Inquiry& inquiry) {
     const bool moves = cursor_.advance(dt);
     if (!has_tree_ || refusal_ || comparison_) return moves;
-    rest_ += dt;
+    rest_ = inquiry.is_dragged ? 0 : rest_ + dt;
     if (rest_ >= quiet_seconds) {
         const auto& q = inquiry.question;
         comparison_ = debugger::compare_searches(*inquiry.arena.mesh(), q.volume(), q.motion, q.one_sided);
@@ -189,7 +189,7 @@ void SearchPanel::steps_ui() const {
 
 void SearchPanel::comparison_ui() const {
     if (!comparison_) {
-        ui::note("Waits until the question rests ...");
+        ui::note("Every triangle is asked once the question rests ...");
         return;
     }
     if (ImGui::BeginTable("searches", timed_ ? 5 : 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -39,6 +40,12 @@ std::string run(const std::string& script) {
     return last.empty() ? "levels/fetch did not succeed" : last;
 }
 
+/// What the fetch that runs will say; only the thread of the window asks.
+std::future<std::string>& under_way() {
+    static std::future<std::string> result;
+    return result;
+}
+
 }  // namespace
 
 std::string find_in_project(const std::string& path) {
@@ -62,16 +69,22 @@ bool Fetcher::offers() const {
     return !script_.empty() && !cache_.empty() && !running() && !folder();
 }
 
+bool Fetcher::running() const {
+    return under_way().valid();
+}
+
 void Fetcher::begin() {
+    if (running()) return;
     // A thread that nobody waits for: the room may be left, and the window closed, while it runs.
     std::packaged_task<std::string()> task([script = script_] { return run(script); });
-    result_ = task.get_future();
+    under_way() = task.get_future();
     std::thread(std::move(task)).detach();
 }
 
 std::optional<std::string> Fetcher::update() {
-    if (!result_.valid() || result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-    const std::string wrong = result_.get();
+    std::future<std::string>& result = under_way();
+    if (!result.valid() || result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    const std::string wrong = result.get();
     return wrong.empty() ? std::string("OpenArena's maps are there: open one from its .pk3.") : wrong;
 }
 

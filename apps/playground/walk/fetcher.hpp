@@ -1,7 +1,6 @@
 /// Offers levels that nobody here made: runs `levels/fetch`, which gets them from Debian's packages.
 #pragma once
 
-#include <future>
 #include <optional>
 #include <string>
 
@@ -17,8 +16,9 @@ public:
     /// Are they there? The folder of the packages that were fetched.
     [[nodiscard]] std::optional<std::string> folder() const;
 
+    /// At most one fetch runs, whichever room began it and even if that was left: while it does, this does nothing.
     void begin();
-    [[nodiscard]] bool running() const { return result_.valid(); }
+    [[nodiscard]] bool running() const;
 
     /// What to tell the user once it is done.
     [[nodiscard]] std::optional<std::string> update();
@@ -26,7 +26,6 @@ public:
 private:
     std::string script_;
     std::string cache_;
-    std::future<std::string> result_;
 };
 
 /// A file of the project's own, looked for in the working folder and those above it; empty if there is none.

@@ -46,7 +46,4 @@ private:
     std::vector<Throw> throws_;
 };
 
-/// Lights the face, the edge or the corner of a triangle that was met.
-void draw_feature(view::Renderer& renderer, const Triangle& triangle, const Hit& hit);
-
 }  // namespace surefoot::playground

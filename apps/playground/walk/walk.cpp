@@ -43,7 +43,7 @@ public:
         std::string level = stage.level;
         std::error_code error;
         if (level.empty() && !stage.settings.recent.empty() &&
-            std::filesystem::exists(stage.settings.recent.front(), error))
+            std::filesystem::exists(level_path(stage.settings.recent.front()).file, error))
             level = stage.settings.recent.front();
         if (level.empty()) level = find_in_project("levels/training-ground.glb");
         if (!level.empty()) open(level);

@@ -115,6 +115,13 @@ struct LevelPath {
 /// Takes "pak0.pk3:maps/q3dm1.bsp" apart. A path is whole if there is such a file, or if nothing in it ends in ".pk3:".
 [[nodiscard]] LevelPath level_path(const std::string& path);
 
+/// The maps in a .pk3, by name: each as "maps/q3dm1.bsp", to be named behind a colon for `import_level`. None if `file`
+/// is of any other kind, or if there are none in it. Reads the list of files alone, within `options.time_limit`.
+///
+/// Fails with `not_found`; `unreadable` when it is no .pk3 or its list of files is damaged; `limit`; `invalid` for
+/// options out of range.
+[[nodiscard]] Expected<std::vector<std::string>> maps_in(const std::string& file, const ImportOptions& options = {});
+
 /// Reads the level at `path` (UTF-8), in the format that the end of its name tells. Of a .pk3 with several maps, one is
 /// named behind a colon: "pak0.pk3:maps/q3dm1.bsp", or just "pak0.pk3:q3dm1".
 ///
