@@ -147,8 +147,8 @@ public:
     /// The box around all triangles; all zeros for an empty mesh.
     [[nodiscard]] Bounds bounds() const noexcept;
 
-    /// The corners, widened from float without change, in the order of the input. All zeros for an id that is not there,
-    /// as a hit in a file that was not checked may name one.
+    /// The corners, widened from float without change, in the order of the input. All zeros for an id that is not
+    /// there, as a hit in a file that was not checked may name one.
     [[nodiscard]] Triangle triangle(std::uint32_t id) const noexcept;
 
     /// 0 for an id that is not there.
