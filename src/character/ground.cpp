@@ -1,0 +1,95 @@
+#include "character/ground.hpp"
+
+#include "character/seams.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// Touches within this share of the skin below the first are held by as well.
+constexpr double together = 0.25;
+
+// Walking off an edge: does the ground go on below it, near enough to be followed? Asked of a place that is clear of
+// the edge.
+bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                   const Vec& position, const Vec& edge, double behind) noexcept {
+    const Vec clear = position + rule.towards * (body.half_width + 2 * gait.skin - behind);
+    const GroundRule strict{rule.perch_distance, {}};
+    const Ground below = ground_under(surroundings, body, gait, strict, clear, 2 * rule.follows + gait.skin);
+    if (!below.trusted || below.footing != Footing::ground) return false;
+    return dot(edge - below.point, gait.up) <= rule.follows + gait.skin;
+}
+
+// Does an edge that is touched too steeply hold a body that walks?
+bool holds_walking(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                   const Vec& position, const Vec& edge, const Vec& aside) noexcept {
+    const double ahead = dot(aside, rule.towards);
+    if (ahead > 0.5 * length(aside)) return true;  // up on to it
+    if (ahead > -0.5 * length(aside) || !(rule.follows > 0)) return false;
+    return goes_on_below(surroundings, body, gait, rule, position, edge, -ahead);
+}
+
+bool holds(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule, const Vec& position,
+           const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
+    if (dot(surface, gait.up) < gait.least_ground_up) return false;
+    if (dot(normal, gait.up) >= gait.least_ground_up) return true;
+    const Vec out = touch.point - position;
+    const Vec aside = out - gait.up * dot(out, gait.up);
+    if (dot(aside, aside) <= rule.perch_distance * rule.perch_distance) return true;
+    return holds_walking(surroundings, body, gait, rule, position, touch.point, aside);
+}
+
+}  // namespace
+
+Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                    const Vec& position, double depth) noexcept {
+    Ground ground;
+    const Vec down = gait.up * -depth;
+    const Vec to = position + down;
+    const Vec wide = Vec{1, 1, 1} * (gait.skin * 2);
+    if (!surroundings.cover(
+            Vec{smaller(position.x, to.x), smaller(position.y, to.y), smaller(position.z, to.z)} + body.below - wide,
+            Vec{larger(position.x, to.x), larger(position.y, to.y), larger(position.z, to.z)} + body.above + wide)) {
+        ground.trusted = false;
+        return ground;
+    }
+    Touches touches;
+    surroundings.sweep(body.kept_off, body.shift, body.below, body.above, position, down, touches);
+    double first = -1;
+    Planes3 planes;
+    for (const Touch& touch : touches.get()) {
+        if (touch.status != HitStatus::ok) {
+            ground.trusted = false;
+            return ground;
+        }
+        const double distance = touch.t * depth;
+        if (first >= 0 && distance > first + together * gait.skin) break;
+        const SourceTriangle triangle = surroundings.triangles()[touch.index];
+        const Vec centre = position + down * touch.t;
+        const Faces faces = faces_of(touch, surroundings, 0.5 * gait.skin, centre);
+        for (const Vec& normal : faces.get()) {
+            if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
+            (void)planes.add(normal);
+            if (first < 0) first = distance;
+            const Vec surface = faces.replaced
+                                    ? normal
+                                    : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
+            const Footing footing =
+                holds(surroundings, body, gait, rule, centre, touch, normal, surface) ? Footing::ground : Footing::steep;
+            const bool better = ground.footing == Footing::air ||
+                                (footing == Footing::ground && ground.footing == Footing::steep) ||
+                                (footing == ground.footing && dot(surface, gait.up) > dot(ground.normal, gait.up));
+            if (!better) continue;
+            ground = {footing,     first,       surface,          normal, touch.point, triangle.body,
+                      triangle.id, triangle.surface, true};
+        }
+    }
+    // Held by steep things on several sides, as in a funnel: it cannot slide, so it stands.
+    if (ground.footing == Footing::steep && length(planes.nearest_to(-gait.up)) <= along_tolerance) {
+        ground.footing = Footing::ground;
+        ground.normal = gait.up;
+    }
+    return ground;
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,109 @@
+#include "character/recover.hpp"
+
+#include <surefoot/overlap.hpp>
+#include <surefoot/ray.hpp>
+
+#include "world/ask.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// What the body is pushed out of at once.
+constexpr std::size_t most_pushes = 32;
+
+// Each round parts the body from everything that it overlaps, one after the other, and asks anew.
+constexpr int most_rounds = 8;
+constexpr int most_turns = 16;
+
+struct Push {
+    Vec normal;
+    double depth;  // how far to go along `normal` [m]
+};
+
+class Recover {
+public:
+    Recover(Surroundings& surroundings, const Body& body, const Gait& gait) noexcept
+        : surroundings_(surroundings), body_(body), gait_(gait), half_(grown(body.volume, 0.5 * gait.skin)) {}
+
+    Recovery run(const Vec& from, double farthest) noexcept {
+        Recovery result{from, false, false};
+        for (int round = 0; round < most_rounds; ++round) {
+            if (!find_pushes(result.position)) {
+                result.stuck = true;
+                return result;
+            }
+            if (count_ == 0) return result;
+            Vec way = way_out();
+            const double distance = length(way);
+            if (!(distance > 0)) break;
+            const double left = farthest - length(result.position - from);
+            const bool far = distance > left;
+            if (far) way = way * (larger(0, left) / distance);
+            if (crosses(result.position, result.position + way)) break;
+            result.position = result.position + way;
+            result.moved = true;
+            if (far) return result;  // more in the next tick
+        }
+        result.stuck = find_pushes(result.position) && deep_;
+        return result;
+    }
+
+private:
+    // False if there is no room for the triangles.
+    bool find_pushes(const Vec& position) noexcept {
+        count_ = 0;
+        deep_ = false;
+        const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
+        const Vec low = position + body_.below;
+        const Vec high = position + body_.above;
+        if (!surroundings_.cover(low - wide, high + wide)) return false;
+        surroundings_.near(low, high, [&](const SourceTriangle& triangle) {
+            const auto overlap = surefoot::overlap(half_.volume, to_dvec3(position + half_.shift), triangle.triangle);
+            if (!overlap || overlap->status != HitStatus::ok || count_ == most_pushes) return;
+            pushes_[count_++] = {to_vec(overlap->normal), overlap->depth + 0.5 * gait_.skin};
+            deep_ = deep_ || overlap->depth > 0.5 * gait_.skin;
+        });
+        return true;
+    }
+
+    // The shortest way that gets out of all, found by going out of each in turn.
+    Vec way_out() const noexcept {
+        Vec way;
+        for (int turn = 0; turn < most_turns; ++turn) {
+            bool moved = false;
+            for (std::size_t i = 0; i < count_; ++i) {
+                const double missing = pushes_[i].depth - dot(pushes_[i].normal, way);
+                if (missing <= 1e-9 * gait_.skin) continue;
+                way = way + pushes_[i].normal * missing;
+                moved = true;
+            }
+            if (!moved) break;
+        }
+        return way;
+    }
+
+    bool crosses(const Vec& from, const Vec& to) const noexcept {
+        for (const SourceTriangle& triangle : surroundings_.triangles()) {
+            if (surefoot::ray({to_dvec3(from), to_dvec3(to)}, triangle.triangle)) return true;
+        }
+        return false;
+    }
+
+    Surroundings& surroundings_;
+    const Body& body_;
+    const Gait& gait_;
+    GrownVolume half_;
+    Push pushes_[most_pushes];
+    std::size_t count_ = 0;
+    bool deep_ = false;
+};
+
+}  // namespace
+
+Recovery recover(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from,
+                 double farthest) noexcept {
+    return Recover(surroundings, body, gait).run(from, farthest);
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,92 @@
+#include "character/seams.hpp"
+
+#include "nearest.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// How far a face may reach out in front of a plane and still lie in it, as a share of its own size: rounding of the
+// touch's normal.
+constexpr double in_plane = 1e-7;
+
+struct Face {
+    Vec normal;  // unit, towards the body; zero for a triangle without area
+    Vec corners[3];
+    double size = 0;
+};
+
+Face face_of(const Triangle& triangle, const Vec& centre) noexcept {
+    Face face{{}, {to_vec(triangle.a), to_vec(triangle.b), to_vec(triangle.c)}, 0};
+    const Vec ab = face.corners[1] - face.corners[0];
+    const Vec ac = face.corners[2] - face.corners[0];
+    face.size = larger(norm1(ab), norm1(ac));
+    const Vec across = cross(ab, ac);
+    const double area = length(across);
+    if (area <= 1e-12 * face.size * face.size) return face;
+    face.normal = across / area;
+    if (dot(face.normal, centre - face.corners[0]) < 0) face.normal = -face.normal;
+    return face;
+}
+
+bool holds(const Face& face, const Vec& point, double reach) noexcept {
+    const Vec away = nearest_on_triangle(point, face.corners) - point;
+    return dot(away, away) <= reach * reach;
+}
+
+double reaches_out(const Face& face, const Vec& point, const Vec& normal) noexcept {
+    return larger(dot(normal, face.corners[0] - point),
+                  larger(dot(normal, face.corners[1] - point), dot(normal, face.corners[2] - point)));
+}
+
+template <typename Visit>
+void near(const Surroundings& surroundings, const Vec& point, double reach, const Visit& visit) noexcept {
+    const Vec around = Vec{1, 1, 1} * reach;
+    surroundings.near(point - around, point + around, visit);
+}
+
+}  // namespace
+
+void Faces::add(const Vec& normal) noexcept {
+    for (const Vec& old : get()) {
+        if (dot(old, normal) > 1 - 1e-12) return;
+    }
+    if (count < most) normals[count++] = normal;
+}
+
+Faces faces_of(const Touch& touch, const Surroundings& surroundings, double reach, const Vec& centre) noexcept {
+    Faces faces;
+    if (touch.feature != Feature::face) {
+        near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
+            const Face face = face_of(triangle.triangle, centre);
+            if (face.normal == Vec{} || !holds(face, touch.point, reach)) return;
+            if (reaches_out(face, touch.point, touch.normal) <= in_plane * face.size + reach * 0x1p-4) return;
+            // It reaches out, but against its back the body cannot have come.
+            if (dot(face.normal, touch.normal) < -1e-9) return;
+            faces.replaced = true;
+            faces.add(face.normal);
+        });
+    }
+    if (!faces.replaced) faces.add(touch.normal);
+    return faces;
+}
+
+Vec surface_under(const Touch& touch, const Surroundings& surroundings, double reach, const Vec& centre,
+                  const Vec& up) noexcept {
+    if (touch.feature == Feature::face) return touch.normal;
+    Vec best = touch.normal;
+    double height = -1;
+    near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
+        const Face face = face_of(triangle.triangle, centre);
+        if (face.normal == Vec{} || !holds(face, touch.point, reach)) return;
+        // Turned away from the touch: not what it stands on.
+        if (dot(face.normal, touch.normal) < -1e-9) return;
+        if (dot(face.normal, up) > height) {
+            height = dot(face.normal, up);
+            best = face.normal;
+        }
+    });
+    return best;
+}
+
+}  // namespace surefoot::internal

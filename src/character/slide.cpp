@@ -1,0 +1,189 @@
+#include "character/slide.hpp"
+
+#include <cmath>
+
+#include "character/seams.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// Each pass goes on to the next touch. Corners take three, a funnel some more; what takes longer than this is rough
+// ground at high speed, and waits for the next tick.
+constexpr int most_passes = 12;
+
+// Motions below this share of the wish are rest.
+constexpr double rest = 1e-9;
+
+// What is met within this share of the skin after the first touch is met with it.
+constexpr double together = 0.25;
+
+// Longer moves than this many times the body's size are first asked of the world's own tree.
+constexpr double leap_from = 4;
+
+class Slide {
+public:
+    Slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, const Vec& wish,
+          const Planes3& planes) noexcept
+        : surroundings_(surroundings), body_(body), gait_(gait), target_(from + wish), wish_length_(length(wish)) {
+        result_.position = from;
+        result_.planes = planes;
+        size_ = largest(body.above - body.below);
+    }
+
+    SlideResult run() noexcept {
+        for (int pass = 0; pass < most_passes; ++pass) {
+            const Vec motion = allowed(target_ - result_.position);
+            if (length(motion) <= rest * wish_length_) return result_;
+            const Vec before = result_.position;
+            if (go(motion)) return result_;
+            if (gait_.stops && !(before == result_.position)) return result_;
+        }
+        return result_;
+    }
+
+private:
+    Vec allowed(const Vec& wish) const noexcept {
+        return gait_.on_foot ? result_.planes.nearest_on_foot(wish, gait_.up) : result_.planes.nearest_to(wish);
+    }
+
+    // True when the slide is over.
+    bool go(const Vec& motion) noexcept {
+        const double way = length(motion);
+        if (way > leap_from * size_) return leap(motion, way);
+        if (!cover(motion)) {
+            result_.overflow = true;
+            return true;
+        }
+        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, motion, touches_);
+        return go_to_first(motion, way);
+    }
+
+    // Everything that the motion may touch, and what is beside it, for the seams.
+    bool cover(const Vec& motion) noexcept {
+        const Vec to = result_.position + motion;
+        const Vec& from = result_.position;
+        const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
+        return surroundings_.cover(
+            Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + body_.below - wide,
+            Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + body_.above + wide);
+    }
+
+    // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
+    bool leap(const Vec& motion, double way) noexcept {
+        const Vec from = result_.position + body_.shift;
+        const auto hit = surroundings_.world().sweep(
+            body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, surroundings_.query());
+        if (!hit) {
+            result_.position = result_.position + motion;
+            return true;
+        }
+        const double room = hit->t * way - size_;
+        if (room > 0) result_.position = result_.position + motion * (room / way);
+        const Vec near = motion * (2 * size_ / way);
+        if (!cover(near)) {
+            result_.overflow = true;
+            return true;
+        }
+        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, near, touches_);
+        (void)go_to_first(near, 2 * size_);
+        return false;
+    }
+
+    bool go_to_first(const Vec& motion, double way) noexcept {
+        const std::span<const Touch> touches = touches_.get();
+        std::size_t i = 0;
+        for (; i < touches.size(); ++i) {
+            if (touches[i].status != HitStatus::ok) {
+                result_.blocked = true;
+                return true;
+            }
+            if (meet(touches[i], motion)) break;
+        }
+        if (i == touches.size()) {
+            result_.position = result_.position + motion;
+            return true;
+        }
+        const double t = touches[i].t;
+        for (std::size_t k = i + 1; k < touches.size() && (touches[k].t - t) * way <= together * gait_.skin; ++k) {
+            if (touches[k].status == HitStatus::ok) (void)meet(touches[k], motion);
+        }
+        if (t > 0) result_.position = result_.position + motion * t;
+        return result_.overflow;
+    }
+
+    // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
+    bool meet(const Touch& touch, const Vec& motion) noexcept {
+        const Vec centre = result_.position + motion * touch.t;
+        const Faces faces = faces_of(touch, surroundings_, 0.5 * gait_.skin, centre);
+        const double way = length(motion);
+        bool in_the_way = false;
+        for (const Vec& normal : faces.get()) {
+            if (dot(normal, motion) >= -along_tolerance * way) continue;
+            in_the_way = true;
+            obey(normal, touch);
+        }
+        return in_the_way;
+    }
+
+    void obey(const Vec& normal, const Touch& touch) noexcept {
+        const double rises = dot(normal, gait_.up);
+        const bool is_steep = rises > 0 && rises < gait_.least_ground_up;
+        note(normal, touch, rises);
+        bool room = result_.planes.add(normal);
+        if (is_steep) {
+            const Vec level = normal - gait_.up * rises;
+            const double run = length(level);
+            if (run > 1e-6) {
+                const Vec wall = level / run;
+                if (gait_.on_foot) {
+                    room = result_.planes.add(wall) && room;
+                } else {
+                    never_lift(wall, normal);
+                }
+            }
+        }
+        if (!room) result_.overflow = true;
+    }
+
+    // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
+    // given up where obeying the plane would lift the body by more than it wants to rise.
+    void never_lift(const Vec& wall, const Vec& normal) noexcept {
+        const Vec wish = target_ - result_.position;
+        const double into = dot(wall, wish);
+        if (into >= 0) return;
+        const double rise = dot(wish, gait_.up);
+        const Vec along = wish - normal * smaller(0, dot(normal, wish));
+        if (dot(along, gait_.up) <= larger(0, rise)) return;
+        target_ = target_ - wall * into;
+    }
+
+    void note(const Vec& normal, const Touch& touch, double rises) noexcept {
+        const SourceTriangle& triangle = surroundings_.triangles()[touch.index];
+        const Vec wish = target_ - result_.position;
+        const double scale = length(wish);
+        Obstacle met{normal, touch.point, triangle.body, triangle.id, 0};
+        if (scale > 0) met.share = -dot(normal, wish) / scale;
+        if (met.share > result_.obstacle.share) result_.obstacle = met;
+        if (rises < -0.1) result_.met_ceiling = true;
+        if (rises < gait_.least_ground_up && rises > -0.5 && result_.wall.normal == Vec{}) result_.wall = met;
+    }
+
+    Surroundings& surroundings_;
+    const Body& body_;
+    const Gait& gait_;
+    Vec target_;
+    double wish_length_;
+    double size_ = 0;
+    SlideResult result_;
+    Touches touches_;
+};
+
+}  // namespace
+
+SlideResult slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, const Vec& wish,
+                  const Planes3& planes) noexcept {
+    return Slide(surroundings, body, gait, from, wish, planes).run();
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,67 @@
+#include "character/surroundings.hpp"
+
+#include "sweep/sweep.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+bool is_before(const Touch& a, const Touch& b) noexcept {
+    return a.t != b.t ? a.t < b.t : a.index < b.index;
+}
+
+// What a box is grown by before it may say that nothing is there, as a share of the numbers in it.
+constexpr double margin = 1e-9;
+
+}  // namespace
+
+void Touches::add(const Touch& touch) noexcept {
+    std::size_t place = count_;
+    while (place > 0 && is_before(touch, touches_[place - 1])) --place;
+    if (place == most) return;
+    if (count_ < most) ++count_;
+    for (std::size_t i = count_ - 1; i > place; --i) touches_[i] = touches_[i - 1];
+    touches_[place] = touch;
+}
+
+bool Surroundings::cover(const Vec& min, const Vec& max) noexcept {
+    const auto inside = [&] {
+        return covered_.min.x <= min.x && covered_.min.y <= min.y && covered_.min.z <= min.z &&
+               max.x <= covered_.max.x && max.y <= covered_.max.y && max.z <= covered_.max.z;
+    };
+    if (inside()) return true;
+    const std::size_t count = world_.gather({to_dvec3(min), to_dvec3(max)}, triangles_, query_);
+    if (count > most) {
+        count_ = 0;
+        covered_ = {{1, 1, 1}, {-1, -1, -1}};
+        return false;
+    }
+    count_ = count;
+    covered_ = {min, max};
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Vec a = to_vec(triangles_[i].triangle.a);
+        const Vec b = to_vec(triangles_[i].triangle.b);
+        const Vec c = to_vec(triangles_[i].triangle.c);
+        boxes_[i] = {{smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y)), smaller(a.z, smaller(b.z, c.z))},
+                     {larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y)), larger(a.z, larger(b.z, c.z))}};
+    }
+    return true;
+}
+
+void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& below, const Vec& above, const Vec& from,
+                         const Vec& motion, Touches& touches) const noexcept {
+    touches.clear();
+    const Vec to = from + motion;
+    const double hair = margin * (1 + largest(from) + largest(to) + largest(above) + largest(below));
+    const Vec low = Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + below - Vec{hair, hair, hair};
+    const Vec high = Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + above + Vec{hair, hair, hair};
+    const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!boxes_[i].meets(low, high)) continue;
+        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided, 1, nullptr);
+        if (!hit) continue;
+        touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});
+    }
+}
+
+}  // namespace surefoot::internal

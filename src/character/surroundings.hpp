@@ -1,0 +1,97 @@
+// The triangles that one step may meet, taken out of the world once; then many questions are asked of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <surefoot/hit.hpp>
+#include <surefoot/query.hpp>
+#include <surefoot/shapes.hpp>
+#include <surefoot/world.hpp>
+
+#include "vec.hpp"
+
+namespace surefoot::internal {
+
+/// An upright body as the questions of a step need it: the volume kept off by the skin, and the box around it.
+struct Body {
+    Volume volume;      ///< as the user gave it, turned to `up`
+    Volume kept_off;    ///< grown by the skin
+    Vec shift;          ///< from the position to the reference point of `kept_off` [m]
+    Vec below, above;   ///< corners of the box around `kept_off`, relative to the position [m]
+    double half_width;  ///< the largest horizontal reach of the volume from its axis [m]
+    double foot;        ///< how far the lowest point of the volume is from the position, along -up [m]
+};
+
+/// One touch on the way of a body.
+struct Touch {
+    double t = 0;           ///< [0, 1]
+    Vec point;              ///< [m]
+    Vec normal;             ///< unit, towards the body
+    std::size_t index = 0;  ///< which of the surrounding triangles
+    Feature feature = Feature::face;
+    HitStatus status = HitStatus::ok;
+};
+
+/// The touches of one move in order of time.
+class Touches {
+public:
+    static constexpr std::size_t most = 48;
+
+    void add(const Touch& touch) noexcept;  // keeps the earliest if there are too many
+    void clear() noexcept { count_ = 0; }
+    [[nodiscard]] std::span<const Touch> get() const noexcept { return {touches_.data(), count_}; }
+
+private:
+    std::array<Touch, most> touches_{};
+    std::size_t count_ = 0;
+};
+
+class Surroundings {
+public:
+    static constexpr std::size_t most = 512;
+
+    Surroundings(const World& world, const WorldQuery& query) noexcept : world_(world), query_(query) {}
+
+    /// Makes sure that the triangles in this box are there. False if there are more than find room.
+    bool cover(const Vec& min, const Vec& max) noexcept;
+
+    /// All triangles, in the order of (body, id).
+    [[nodiscard]] std::span<const SourceTriangle> triangles() const noexcept { return {triangles_.data(), count_}; }
+
+    /// Every triangle's touch on the way from `from` by `motion`, `volume` being moved from `from + shift`. Requires:
+    /// the way is covered.
+    void sweep(const Volume& volume, const Vec& shift, const Vec& below, const Vec& above, const Vec& from,
+               const Vec& motion, Touches& touches) const noexcept;
+
+    /// Calls `visit(triangle)` for those whose own box meets this one.
+    template <typename Visit>
+    void near(const Vec& min, const Vec& max, const Visit& visit) const noexcept {
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (boxes_[i].meets(min, max)) visit(triangles_[i]);
+        }
+    }
+
+    [[nodiscard]] const World& world() const noexcept { return world_; }
+    [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
+
+private:
+    struct Box {
+        Vec min, max;
+        [[nodiscard]] bool meets(const Vec& low, const Vec& high) const noexcept {
+            return min.x <= high.x && min.y <= high.y && min.z <= high.z && max.x >= low.x && max.y >= low.y &&
+                   max.z >= low.z;
+        }
+    };
+
+    const World& world_;
+    WorldQuery query_;
+    std::size_t count_ = 0;
+    Box covered_{{1, 1, 1}, {-1, -1, -1}};
+    std::array<SourceTriangle, most> triangles_;
+    std::array<Box, most> boxes_;
+};
+
+}  // namespace surefoot::internal
