@@ -58,7 +58,8 @@ void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& belo
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
     for (std::size_t i = 0; i < count_; ++i) {
         if (!boxes_[i].meets(low, high)) continue;
-        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided, 1, nullptr);
+        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided, 1,
+                                        nullptr, StartSign::rounded);
         if (!hit) continue;
         touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});
     }
