@@ -36,10 +36,10 @@ enum class Footing : std::uint8_t {
     steep,   ///< something that is: it slides
 };
 
-/// All that a character is between two ticks: plain, and equal if and only if its bytes are.
+/// All that a character is between two ticks: plain, without padding, comparable.
 struct CharacterState {
     dvec3 position{0, 0, 0};           ///< of the reference point [m]
-    dvec3 velocity{0, 0, 0};           ///< in the world [m/s]
+    dvec3 velocity{0, 0, 0};           ///< its own: relative to what carries it, in the air to the world [m/s]
     dvec3 ground_normal{0, 0, 0};      ///< of what carries it, in the world; zero in the air
     dvec3 ground_velocity{0, 0, 0};    ///< how fast that moves where it is stood on [m/s]
     double since_ground = 1e9;         ///< time since it was last on ground [s]
@@ -72,7 +72,8 @@ enum class CharacterEvent : std::uint32_t {
     recovered = 1U << 9,     ///< began too close to something or inside of it, and was moved out
     sub_stepped = 1U << 10,  ///< the tick was longer than `longest_tick` and was done in parts
     overflow = 1U << 11,     ///< more triangles or contacts than there is room for: the move ended early
-    invalid = 1U << 12,      ///< something in the arguments is out of its range: the state is unchanged
+    pushed = 1U << 12,       ///< something that moves came against it
+    invalid = 1U << 13,      ///< something in the arguments is out of its range: the state is unchanged
 };
 
 /// The events of one tick, and what belongs to them.

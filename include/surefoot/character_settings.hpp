@@ -66,6 +66,7 @@ struct CharacterSettings {
     double jump_cut = 2.5;        ///< gravity is this many times as strong while rising with `jump` let go [>= 1]
     double coyote_time = 0.1;     ///< how long after leaving the ground a jump still counts as from there [s, >= 0]
     double jump_buffer = 0.1;     ///< how long before landing a press of `jump` is remembered [s, >= 0]
+    bool keeps_ground_velocity = true;  ///< takes the velocity of a lift or a train along when it leaves it
     std::uint32_t air_jumps = 0;  ///< jumps that need no ground, until the next landing
 
     /// The longest time that is moved in one go [s, > 0]; a longer tick is done in equal parts.

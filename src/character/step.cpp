@@ -4,6 +4,7 @@
 
 #include "angle.hpp"
 #include "character/body.hpp"
+#include "character/carry.hpp"
 #include "character/ground.hpp"
 #include "character/motion.hpp"
 #include "character/recover.hpp"
@@ -40,14 +41,16 @@ bool is_valid(const CharacterState& state) noexcept {
 
 class Step {
 public:
-    Step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
-         const CharacterState& state) noexcept
+    Step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double tick,
+         const TickPart& part, const CharacterState& state) noexcept
         : settings_(settings),
           input_(input),
-          dt_(dt),
+          tick_(tick),
+          part_(part),
+          dt_(tick * (part.end - part.begin)),
           up_(to_vec(input.up) / length(to_vec(input.up))),
           body_(body_of(settings, up_)),
-          surroundings_(world, WorldQuery{.begin = 1, .end = 1}) {
+          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}) {
         result_.state = state;
         gait_.up = up_;
         gait_.least_ground_up = cosine_deg(settings.slope_limit_deg);
@@ -58,8 +61,9 @@ public:
     }
 
     StepResult run() noexcept {
-        cover_all();
         remember_buttons();
+        ride();
+        cover_all();
         get_out();
         stand();
         jump();
@@ -94,6 +98,15 @@ private:
         state().since_ground += dt_;
     }
 
+    void ride() noexcept {
+        const BodyHandle support =
+            state().footing == Footing::air ? BodyHandle{} : surroundings_.world().find(state().ground_body);
+        const Carried carried = carry(surroundings_.world(), body_, gait_, position_, support, part_);
+        position_ = carried.position;
+        if (carried.crushed) say(CharacterEvent::crushed);
+        if (carried.pushed) say(CharacterEvent::pushed);
+    }
+
     void get_out() noexcept {
         const Recovery recovery = recover(surroundings_, body_, gait_, position_, recovery_speed * dt_);
         position_ = recovery.position;
@@ -124,6 +137,7 @@ private:
         if (!from_ground) --state().air_jumps_left;
         const double speed = std::sqrt(2 * settings_.gravity * settings_.jump_height);
         velocity_ = level(velocity_) + up_ * speed;
+        if (standing_) velocity_ = velocity_ + left_behind();
         state().since_jump_press = 1e9;
         state().since_ground = 1e9;
         state().is_jumping = 1;
@@ -150,6 +164,7 @@ private:
         tell_obstacle(walked.obstacle);
         if (ground_.footing == Footing::ground) return;
         standing_ = false;
+        velocity_ = velocity_ + left_behind();
         say(CharacterEvent::left_ground);
         state().since_ground = dt_ * (1 - walked.done);
         if (walked.done < 1) fall(dt_ * (1 - walked.done));
@@ -176,8 +191,23 @@ private:
         land(into_ground);
     }
 
+    // What the character takes along from ground that moved.
+    Vec left_behind() const noexcept {
+        return settings_.keeps_ground_velocity ? to_vec(result_.state.ground_velocity) : Vec{};
+    }
+
+    // How fast the ground under it moves.
+    Vec velocity_of(const Ground& ground) const noexcept {
+        const World& world = surroundings_.world();
+        const BodyHandle handle = world.find(ground.body);
+        if (!moves(world, handle)) return {};
+        // Where the point of touch was at the start of the tick is what the world is asked about.
+        const Vec before = ground.point - (to_vec(world.carried(handle, to_dvec3(ground.point))) - ground.point);
+        return to_vec(world.velocity_at(handle, to_dvec3(before), tick_));
+    }
+
     void land(double upward_speed) noexcept {
-        if (dot(velocity_, up_) > 1e-9) {
+        if (dot(velocity_, up_) > 1e-9 + larger(0, dot(velocity_of(ground_), up_))) {
             ground_ = {};
             return;
         }
@@ -186,7 +216,7 @@ private:
         if (ground_.footing != Footing::ground) return;
         standing_ = true;
         state().is_jumping = 0;
-        velocity_ = level(velocity_);
+        velocity_ = level(velocity_ - velocity_of(ground_));
         if (state().footing != Footing::ground) {
             say(CharacterEvent::landed);
             result_.events.landing_speed = larger(0, -upward_speed);
@@ -213,7 +243,7 @@ private:
         }
         const bool carried = after.footing != Footing::air;
         after.ground_normal = carried ? to_dvec3(ground_.normal) : dvec3{0, 0, 0};
-        after.ground_velocity = {0, 0, 0};
+        after.ground_velocity = carried ? to_dvec3(velocity_of(ground_)) : dvec3{0, 0, 0};
         after.ground_body = carried ? ground_.body : 0;
         after.ground_triangle = carried ? ground_.triangle : 0;
         after.ground_surface = carried ? ground_.surface : 0;
@@ -222,7 +252,9 @@ private:
 
     const CharacterSettings& settings_;
     const CharacterInput& input_;
-    double dt_;
+    double tick_;    // all of the world's tick [s]
+    TickPart part_;  // the part of it that is done here
+    double dt_;      // how long that is [s]
     Vec up_;
     Body body_;
     Gait gait_{};
@@ -285,10 +317,10 @@ StepResult step(const World& world, const CharacterSettings& settings, const Cha
         return result;
     }
     const double parts = std::ceil(dt / settings.longest_tick);
-    const double part = dt / parts;
     CharacterInput once = input;
     for (double done = 0; done < parts; ++done) {
-        const StepResult next = internal::Step(world, settings, once, part, result.state).run();
+        const internal::TickPart part{done / parts, (done + 1) / parts};
+        const StepResult next = internal::Step(world, settings, once, dt, part, result.state).run();
         result.state = next.state;
         result.events = merged(result.events, next.events);
         once.impulse = {0, 0, 0};
