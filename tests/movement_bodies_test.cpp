@@ -60,8 +60,8 @@ TEST(MovementBodies, ATurntableTurnsItsRiderAboutItsMiddle) {
     for (int tick = 1; tick <= 300; ++tick) {
         const double angle = tick * 0.02;
         world.begin_tick();
-        ASSERT_TRUE(world.move(*table, {.position = {0, 0, 0},
-                                        .orientation = {std::cos(angle / 2), 0, std::sin(angle / 2), 0}}));
+        ASSERT_TRUE(world.move(
+            *table, {.position = {0, 0, 0}, .orientation = {std::cos(angle / 2), 0, std::sin(angle / 2), 0}}));
         actor.tick(world);
         ASSERT_TRUE(actor.on_ground());
         ASSERT_NEAR(actor.state.position.x, 2 * std::cos(angle), 1e-3) << tick;

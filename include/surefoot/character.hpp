@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include <surefoot/character_settings.hpp>
+#include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/world.hpp>
@@ -38,13 +39,13 @@ enum class Footing : std::uint8_t {
 
 /// All that a character is between two ticks: plain, without padding, comparable.
 struct CharacterState {
-    dvec3 position{0, 0, 0};           ///< of the reference point [m]
-    dvec3 velocity{0, 0, 0};           ///< its own: relative to what carries it, in the air to the world [m/s]
-    dvec3 ground_normal{0, 0, 0};      ///< of what carries it, in the world; zero in the air
-    dvec3 ground_velocity{0, 0, 0};    ///< how fast that moves where it is stood on [m/s]
-    double since_ground = 1e9;         ///< time since it was last on ground [s]
-    double since_jump_press = 1e9;     ///< time since `jump` was pressed and not yet answered [s]
-    std::uint32_t ground_body = 0;     ///< what carries it
+    dvec3 position{0, 0, 0};         ///< of the reference point [m]
+    dvec3 velocity{0, 0, 0};         ///< its own: relative to what carries it, in the air to the world [m/s]
+    dvec3 ground_normal{0, 0, 0};    ///< of what carries it, in the world; zero in the air
+    dvec3 ground_velocity{0, 0, 0};  ///< how fast that moves where it is stood on [m/s]
+    double since_ground = 1e9;       ///< time since it was last on ground [s]
+    double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
+    std::uint32_t ground_body = 0;   ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
     std::uint32_t air_jumps_left = 0;
@@ -98,9 +99,9 @@ struct StepResult {
 ///
 /// `dt` is the time that passes [s, > 0 and at most 60]; anything else, and any number that is not finite, leaves the
 /// state as it was, with the event `invalid`. The world's moving bodies go from their poses at the start of its tick to
-/// those at the end.
+/// those at the end. `trace` is told what was tried, met and decided; a step without one pays nothing for it.
 [[nodiscard]] StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input,
-                              double dt, const CharacterState& state) noexcept;
+                              double dt, const CharacterState& state, StepTrace* trace = nullptr) noexcept;
 
 /// Can the body be here without touching anything?
 [[nodiscard]] bool fits(const World& world, const CharacterSettings& settings, const dvec3& position,

@@ -18,8 +18,7 @@ constexpr double ahead = 1e-3;
 
 class Carry {
 public:
-    Carry(const World& world, const Body& body, const Gait& gait, BodyHandle support,
-          const TickPart& part) noexcept
+    Carry(const World& world, const Body& body, const Gait& gait, BodyHandle support, const TickPart& part) noexcept
         : world_(world), body_(body), gait_(gait), support_(support), time_(part.begin), end_(part.end) {
         if (world.contains(support)) {
             support_id_ = world.poses(support).body;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/query.hpp>
 #include <surefoot/shapes.hpp>
@@ -53,7 +54,8 @@ class Surroundings {
 public:
     static constexpr std::size_t most = 512;
 
-    Surroundings(const World& world, const WorldQuery& query) noexcept : world_(world), query_(query) {}
+    Surroundings(const World& world, const WorldQuery& query, StepTrace* trace) noexcept
+        : world_(world), query_(query), trace_(trace) {}
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
@@ -77,6 +79,12 @@ public:
     [[nodiscard]] const World& world() const noexcept { return world_; }
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
 
+    /// Tells the trace, if there is one. `make()` returns the record, and is not called otherwise.
+    template <typename Make>
+    void tell(const Make& make) const noexcept {
+        if (trace_ != nullptr) trace_->push(make());
+    }
+
 private:
     struct Box {
         Vec min, max;
@@ -88,6 +96,7 @@ private:
 
     const World& world_;
     WorldQuery query_;
+    StepTrace* trace_;
     std::size_t count_ = 0;
     Box covered_{{1, 1, 1}, {-1, -1, -1}};
     std::array<SourceTriangle, most> triangles_;
