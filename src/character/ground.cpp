@@ -76,7 +76,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         if (first >= 0 && distance > first + together * gait.skin) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
-        const Faces faces = faces_of(touch, surroundings, 0.5 * gait.skin, centre);
+        const Faces faces = faces_of(touch, surroundings, body, 0.5 * gait.skin, centre);
         for (const Vec& normal : faces.get()) {
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             (void)planes.add(normal);

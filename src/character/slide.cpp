@@ -40,9 +40,7 @@ public:
                 return result_;
             }
             tell({.motion = to_dvec3(motion), .act = StepAct::pass});
-            const Vec before = result_.position;
-            if (go(motion)) return result_;
-            if (gait_.stops && !(before == result_.position)) return result_;
+            if (go(motion) || gait_.stops) return result_;
         }
         return result_;
     }
@@ -145,7 +143,7 @@ private:
     // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, 0.5 * gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {
