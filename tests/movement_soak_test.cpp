@@ -9,7 +9,7 @@ namespace {
 World hall() {
     Scene scene;
     scene.block({-12, -1, -12}, {12, 6, 12});  // seen from within
-    scene.floor(-11.5, 11.5, -11.5, 11.5, 0.0, 23);
+    scene.floor(-12, 12, -12, 12, 0.0, 23);
     scene.stairs(6, 5, 0.3, 0.35, 2);
     scene.ramp(-9, 4, 35, 1.5).ramp(-9, 3, 65, 0.4);
     scene.block({-3, 0, -8}, {-1, 1.9, -5}).block({-3, 2.4, -8}, {4, 2.6, -5});

@@ -132,6 +132,7 @@ private:
         const GroundRule rule{settings_.perch_distance, direction(level(to_vec(input_.wish))), settings_.snap_down};
         const double depth = was_standing ? settings_.snap_down + settings_.skin : touching * settings_.skin;
         ground_ = ground_under(surroundings_, body_, gait_, rule, position_, depth);
+        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
         standing_ = ground_.footing == Footing::ground;
         tell(standing_ ? StepAct::ground : StepAct::no_ground, ground_, ground_.distance);
         if (dot(to_vec(input_.impulse), up_) > 0) standing_ = false;
@@ -229,6 +230,7 @@ private:
         }
         const GroundRule rule{settings_.perch_distance, {}};
         ground_ = ground_under(surroundings_, body_, gait_, rule, position_, touching * settings_.skin);
+        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
         if (ground_.footing != Footing::ground) return;
         standing_ = true;
         state().is_jumping = 0;
