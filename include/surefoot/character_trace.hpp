@@ -49,6 +49,7 @@ enum class StepRule : std::uint8_t {
     not_higher,      ///< ground ahead is no higher than here
     snap_distance,   ///< the ground is more than `limit` below [m]
     perch_distance,  ///< what holds it is `value` from its axis, and `limit` is allowed [m]
+    slippery,        ///< the surface's rule says that nobody stands on it
     steps_off,       ///< steps are switched off
 };
 

@@ -40,6 +40,9 @@ struct Hold {
 Hold hold_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
              const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
     const double rises = dot(surface, gait.up);
+    if (surroundings.rule_of(surroundings.triangles()[touch.index].surface).slippery) {
+        return {Footing::steep, StepRule::slippery, 0, 0};
+    }
     if (rises < gait.least_ground_up) return {Footing::steep, StepRule::slope_limit, rises, gait.least_ground_up};
     if (dot(normal, gait.up) >= gait.least_ground_up) return {};
     const Vec out = touch.point - position;
@@ -96,7 +99,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
 
 void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
                      Ground& ground) noexcept {
-    if (ground.footing != Footing::steep) return;
+    if (ground.footing != Footing::steep || ground.rule == StepRule::slippery) return;
     Gait falling = gait;
     falling.on_foot = false;
     const SlideResult slid = slide(surroundings, body, falling, position, gait.up * -gait.skin, {});

@@ -75,6 +75,7 @@ private:
     template <typename Visit>
     void for_all(const GrownVolume& grown_by, const Vec& position, const Visit& visit) const noexcept {
         surroundings_.near(position + body_.below, position + body_.above, [&](const SourceTriangle& triangle) {
+            if (surroundings_.rule_of(triangle.surface).one_way) return;
             const auto found =
                 surefoot::overlap(grown_by.volume, to_dvec3(position + grown_by.shift), triangle.triangle);
             if (found && found->status == HitStatus::ok) visit(*found);
@@ -99,6 +100,7 @@ private:
 
     bool crosses(const Vec& from, const Vec& to) const noexcept {
         for (const SourceTriangle& triangle : surroundings_.triangles()) {
+            if (surroundings_.rule_of(triangle.surface).one_way) continue;
             if (surefoot::ray({to_dvec3(from), to_dvec3(to)}, triangle.triangle)) return true;
         }
         return false;

@@ -100,8 +100,15 @@ private:
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
     bool leap(const Vec& motion, double way) noexcept {
         const Vec from = result_.position + body_.shift;
-        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)},
-                                                     surroundings_.query());
+        // One-way surfaces are none to what rises.
+        const bool rises = dot(motion, gait_.up) > 0;
+        const auto exists = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !(rises && surroundings_.rule_of(surface).one_way);
+        };
+        WorldQuery query = surroundings_.query();
+        query.triangles = BodyTriangleFilter(exists);
+        const auto hit =
+            surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
         if (!hit) {
             result_.position = result_.position + motion;
             return true;

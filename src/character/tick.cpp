@@ -31,7 +31,7 @@ public:
           dt_(tick * (part.end - part.begin)),
           up_(to_vec(input.up) / length(to_vec(input.up))),
           body_(body_of(settings, up_)),
-          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, trace) {
+          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, settings.surfaces, settings.skin, trace) {
         result_.state = state;
         gait_.up = up_;
         gait_.least_ground_up = cosine_deg(settings.slope_limit_deg);
@@ -163,8 +163,10 @@ private:
     void go_on_foot() noexcept {
         const Vec wish = level(to_vec(input_.wish));
         const Vec before = level(velocity_);
+        const SurfaceRule rule = settings_.surfaces[ground_.surface];
         const double rate = dot(wish, wish) < dot(before, before) ? settings_.braking : settings_.acceleration;
-        const Travel travel = accelerate(before, wish, rate, dt_);
+        Travel travel = accelerate(before, wish, rate * rule.grip, dt_);
+        travel.way = travel.way + level(conveyor_velocity(rule)) * dt_;
         tell({.motion = to_dvec3(travel.way), .act = StepAct::wants});
         Gait on_foot = gait_;
         on_foot.on_foot = true;
@@ -211,6 +213,15 @@ private:
     // What the character takes along from ground that moved.
     Vec left_behind() const noexcept {
         return settings_.keeps_ground_velocity ? to_vec(result_.state.ground_velocity) : Vec{};
+    }
+
+    Vec conveyor_velocity(const SurfaceRule& rule) const noexcept {
+        const Vec belt = to_vec(rule.conveyor);
+        const World& world = surroundings_.world();
+        const BodyHandle handle = world.find(ground_.body);
+        if (belt == Vec{} || !world.contains(handle)) return {};
+        const Pose pose = world.poses(handle).end;
+        return to_vec(to_world(pose, rule.conveyor)) - to_vec(pose.position);
     }
 
     // How fast the ground under it moves.
