@@ -34,6 +34,8 @@ enum class StepAct : std::uint8_t {
     jumped,          ///< with `value` upwards [m/s]
     landed,          ///< with `value` downwards [m/s]
     left_ground,
+    changed_form,  ///< took another of its bodies; the position moved up by `value` [m]
+    form_refused,  ///< there is no room for it
     crushed,
     stuck,
     overflow,  ///< more triangles or planes than there is room for

@@ -24,7 +24,10 @@ struct Push {
 class Recover {
 public:
     Recover(Surroundings& surroundings, const Body& body, const Gait& gait) noexcept
-        : surroundings_(surroundings), body_(body), gait_(gait), half_(grown(body.volume, 0.5 * gait.skin)),
+        : surroundings_(surroundings),
+          body_(body),
+          gait_(gait),
+          half_(grown(body.volume, 0.5 * gait.skin)),
           full_(grown(body.volume, gait.skin)) {}
 
     Recovery run(const Vec& from, double farthest) noexcept {

@@ -74,8 +74,8 @@ void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& belo
         if (!boxes_[i].meets(low, high)) continue;
         const bool one_way = rules_[triangles_[i].surface].one_way;
         if (one_way && !comes_from_front(volume, from + shift, triangles_[i].triangle, slack_)) continue;
-        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided || one_way, 1,
-                                        nullptr, StartSign::rounded);
+        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id,
+                                        query_.one_sided || one_way, 1, nullptr, StartSign::rounded);
         if (!hit) continue;
         touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});
     }

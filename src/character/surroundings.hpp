@@ -24,7 +24,7 @@ struct Body {
     Vec shift;          ///< from the position to the reference point of `kept_off` [m]
     Vec below, above;   ///< corners of the box around `kept_off`, relative to the position [m]
     double half_width;  ///< the largest horizontal reach of the volume from its axis [m]
-    double foot;        ///< how far the lowest point of the volume is from the position, along -up [m]
+    double foot;        ///< how far the lowest point of `kept_off` is from the position, along -up [m]
 };
 
 /// One touch on the way of a body.
