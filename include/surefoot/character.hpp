@@ -48,6 +48,14 @@ enum class Footing : std::uint8_t {
     air,     ///< nothing
     ground,  ///< something that is not too steep
     steep,   ///< something that is: it slides
+    ledge,   ///< it hangs on an edge, by its hands
+};
+
+/// What its hands do.
+enum class Hold : std::uint8_t {
+    none,
+    hanging,
+    climbing,  ///< up over the edge
 };
 
 /// All that a character is between two ticks: plain, without padding, comparable.
@@ -60,7 +68,9 @@ struct CharacterState {
     double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
     double since_wall = 1e9;         ///< time since it touched a wall [s]
     double since_dash = 1e9;         ///< time since its last dash began [s]
-    dvec3 wall_normal{0, 0, 0};      ///< of that wall
+    dvec3 wall_normal{0, 0, 0};      ///< of that wall, or of the one under the edge that it holds
+    dvec3 ledge_point{0, 0, 0};      ///< of the edge that it holds [m]
+    double since_hold = 1e9;         ///< time since it let go of an edge [s]
     std::uint32_t ground_body = 0;   ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
@@ -70,12 +80,13 @@ struct CharacterState {
     std::uint8_t is_jumping = 0;  ///< 1 while rising from a jump
     std::uint8_t dash_held = 0;   ///< 1 if `dash` was held in the last tick
     CharacterForm form = CharacterForm::standing;
-    std::uint8_t reserved[3] = {};  ///< zero
+    Hold hold = Hold::none;
+    std::uint8_t reserved[2] = {};  ///< zero
 
     friend bool operator==(const CharacterState&, const CharacterState&) = default;
 };
 
-static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 176);
+static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 208);
 
 /// What happened in one tick: a set of these.
 enum class CharacterEvent : std::uint32_t {
@@ -94,8 +105,12 @@ enum class CharacterEvent : std::uint32_t {
     pushed = 1U << 12,       ///< something that moves came against it
     dashed = 1U << 13,       ///< began a dash
     climbing = 1U << 14,     ///< is on a ladder
-    no_room = 1U << 15,      ///< would stand up or change its body, but there is no room
-    invalid = 1U << 16,      ///< something in the arguments is out of its range: the state is unchanged
+    grabbed_ledge = 1U << 17,
+    dropped_ledge = 1U << 18,
+    climbed_ledge = 1U << 19,
+    vaulted = 1U << 20,  ///< climbs over something by a press of jump
+    no_room = 1U << 15,  ///< would stand up or change its body, but there is no room
+    invalid = 1U << 16,  ///< something in the arguments is out of its range: the state is unchanged
 };
 
 /// The events of one tick, and what belongs to them.

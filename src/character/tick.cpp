@@ -23,6 +23,12 @@ StepResult finish(Tick& tick) noexcept {
         after.since_ground = 0;
         after.air_jumps_left = tick.settings.air_jumps;
     }
+    if (after.hold != Hold::none) {
+        after.footing = Footing::ledge;
+        after.ground_normal = {0, 0, 0};
+        after.ground_velocity = {0, 0, 0};
+        return {after, tick.events};
+    }
     const bool carried = after.footing != Footing::air;
     after.ground_normal = carried ? to_dvec3(tick.ground.normal) : dvec3{0, 0, 0};
     after.ground_velocity = carried ? to_dvec3(velocity_of(tick, tick.ground)) : dvec3{0, 0, 0};
@@ -104,6 +110,7 @@ void remember_buttons(Tick& tick) noexcept {
     state.since_ground += tick.dt;
     state.since_wall += tick.dt;
     state.since_dash += tick.dt;
+    state.since_hold += tick.dt;
 }
 
 void ride(Tick& tick) noexcept {
@@ -157,6 +164,7 @@ StepResult tick_once(const TickArguments& arguments) noexcept {
         return finish(now);
     }
     stand(now);
+    if (hold_ledge(now)) return finish(now);
     leap(now);
     if (climb(now)) return finish(now);
     if (now.standing) {
