@@ -61,6 +61,7 @@ void change_form(Tick& tick) noexcept {
     }
     tick.state.form = form;
     tick.body = body;
+    tick.surroundings.forget_body();
     tick.position = position;
 }
 

@@ -83,7 +83,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, motion, touches_);
+        surroundings_.sweep(body_, result_.position, motion, touches_);
         return go_to_first(motion, way);
     }
 
@@ -119,7 +119,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, near, touches_);
+        surroundings_.sweep(body_, result_.position, near, touches_);
         (void)go_to_first(near, 2 * size_);
         return false;
     }
