@@ -64,7 +64,11 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
     if (landing.footing != Footing::ground) return refuse(landing.rule, landing.value, landing.limit, landing);
     if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);
-    if (risen > settings.step_up + gait.skin) return refuse(StepRule::step_height, risen, settings.step_up, landing);
+    // What counts is where the ground is, not how far a round body has come up by resting on its edge.
+    const double height = dot(landing.point - position, gait.up) + body.foot;
+    if (height > settings.step_up + 0.1 * gait.skin) {
+        return refuse(StepRule::step_height, height, settings.step_up, landing);
+    }
     // The way.
     const Vec place = forward(way);
     const Ground ground = down_from(place, rule);
