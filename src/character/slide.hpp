@@ -44,4 +44,8 @@ struct SlideResult {
 [[nodiscard]] SlideResult slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from,
                                 const Vec& wish, const Planes3& planes) noexcept;
 
+/// What becomes of a velocity along these planes, without a foot on the ground: what is too steep does not turn it
+/// upwards.
+[[nodiscard]] Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept;
+
 }  // namespace surefoot::internal
