@@ -176,6 +176,7 @@ private:
         note(normal, touch, rises);
         tell(StepAct::obeyed, touch, normal);
         bool room = result_.planes.add(normal);
+        if (rises >= gait_.least_ground_up && !gait_.on_foot) come_down(centre);
         if (is_steep) {
             const Vec level = normal - gait_.up * rises;
             const double run = length(level);
@@ -192,6 +193,12 @@ private:
         if (room) return;
         tell(StepAct::overflow, touch, normal);
         result_.overflow = true;
+    }
+
+    // On ground that can be stood on a fall ends; it is not led on down the slope.
+    void come_down(const Vec& centre) noexcept {
+        const double rise = dot(target_ - centre, gait_.up);
+        if (rise < 0) target_ = target_ - gait_.up * rise;
     }
 
     // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
