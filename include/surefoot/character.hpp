@@ -7,10 +7,12 @@
 /// How a body is moved, in one place: docs/movement.md.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
 
+#include <surefoot/character_neighbour.hpp>
 #include <surefoot/character_settings.hpp>
 #include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
@@ -61,28 +63,29 @@ static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterSt
 
 /// What happened in one tick: a set of these.
 enum class CharacterEvent : std::uint32_t {
-    jumped = 1U << 0,        ///< left the ground by a jump, or jumped in the air
-    landed = 1U << 1,        ///< came to stand on ground
-    left_ground = 1U << 2,   ///< ground was there and is not any more
-    stepped_up = 1U << 3,    ///< walked up a step
-    snapped_down = 1U << 4,  ///< followed the ground downwards by more than its slope
-    blocked = 1U << 5,       ///< did not get where it wanted: something was in the way
-    hit_ceiling = 1U << 6,   ///< something from above
-    crushed = 1U << 7,       ///< no room is left between things that move
-    stuck = 1U << 8,         ///< begins inside of something, and there is no way out
-    recovered = 1U << 9,     ///< began too close to something or inside of it, and was moved out
-    sub_stepped = 1U << 10,  ///< the tick was longer than `longest_tick` and was done in parts
-    overflow = 1U << 11,     ///< more triangles or contacts than there is room for: the move ended early
-    pushed = 1U << 12,       ///< something that moves came against it
-    invalid = 1U << 13,      ///< something in the arguments is out of its range: the state is unchanged
+    jumped = 1U << 0,          ///< left the ground by a jump, or jumped in the air
+    landed = 1U << 1,          ///< came to stand on ground
+    left_ground = 1U << 2,     ///< ground was there and is not any more
+    stepped_up = 1U << 3,      ///< walked up a step
+    snapped_down = 1U << 4,    ///< followed the ground downwards by more than its slope
+    blocked = 1U << 5,         ///< did not get where it wanted: something was in the way
+    hit_ceiling = 1U << 6,     ///< something from above
+    crushed = 1U << 7,         ///< no room is left between things that move
+    stuck = 1U << 8,           ///< begins inside of something, and there is no way out
+    recovered = 1U << 9,       ///< began too close to something or inside of it, and was moved out
+    sub_stepped = 1U << 10,    ///< the tick was longer than `longest_tick` and was done in parts
+    overflow = 1U << 11,       ///< more triangles or contacts than there is room for: the move ended early
+    pushed = 1U << 12,         ///< something that moves came against it
+    invalid = 1U << 13,        ///< something in the arguments is out of its range: the state is unchanged
+    met_neighbour = 1U << 14,  ///< with `blocked`: what blocked it the most is a neighbour, `blocked_body` its id
 };
 
 /// The events of one tick, and what belongs to them.
 struct CharacterEvents {
-    std::uint32_t set = 0;      ///< of `CharacterEvent`
-    double landing_speed = 0;   ///< how fast it came down, along the ground's normal [m/s]; 0 unless `landed`
-    dvec3 blocked_by{0, 0, 0};  ///< the normal of what blocked it the most; zero if nothing did
-    std::uint32_t blocked_body = 0;
+    std::uint32_t set = 0;           ///< of `CharacterEvent`
+    double landing_speed = 0;        ///< how fast it came down, along the ground's normal [m/s]; 0 unless `landed`
+    dvec3 blocked_by{0, 0, 0};       ///< the normal of what blocked it the most; zero if nothing did
+    std::uint32_t blocked_body = 0;  ///< of the world; with `met_neighbour` the id of a neighbour
     std::uint32_t blocked_triangle = 0;
 
     [[nodiscard]] bool has(CharacterEvent event) const noexcept {
@@ -99,9 +102,37 @@ struct StepResult {
 ///
 /// `dt` is the time that passes [s, > 0 and at most 60]; anything else, and any number that is not finite, leaves the
 /// state as it was, with the event `invalid`. The world's moving bodies go from their poses at the start of its tick to
-/// those at the end. `trace` is told what was tried, met and decided; a step without one pays nothing for it.
+/// those at the end. `neighbours` are the others near by, as they all were before anybody took this step; the result
+/// does not go deeper into any of the hard ones than it began. `trace` is told what was tried, met and decided; a step
+/// without one pays nothing for it.
 [[nodiscard]] StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input,
-                              double dt, const CharacterState& state, StepTrace* trace = nullptr) noexcept;
+                              double dt, const CharacterState& state, std::span<const Neighbour> neighbours = {},
+                              StepTrace* trace = nullptr) noexcept;
+
+/// Many characters at once. What there is one of each for has as many as `before`.
+struct Characters {
+    std::span<const CharacterSettings> settings;  ///< one each, or a single one for all
+    std::span<const CharacterInput> inputs;       ///< one each, or a single one for all
+    std::span<const CharacterState> before;       ///< when the tick begins
+    std::span<CharacterState> after;              ///< when it ends: the answers; may be the memory of `before`
+    std::span<CharacterEvents> events{};          ///< one each, or none
+    std::span<const std::uint32_t> ids{};         ///< for `crowd`: one each, or none, and then they are counted
+};
+
+/// Some of many, by their places in the spans.
+struct StepRange {
+    std::size_t begin = 0;
+    std::size_t end = ~std::size_t{0};  ///< one after the last; what is beyond the spans does not count
+};
+
+/// Steps each of the characters in `range` by itself, as `step` without neighbours does; see crowd.hpp for those that
+/// meet. Threads may share the work: give each a range of its own and the same spans. How it is cut changes no bit.
+/// Requires: spans of fitting sizes; asserts otherwise, and with asserts off does nothing.
+void step_all(const World& world, const Characters& characters, double dt, StepRange range = {}) noexcept;
+
+/// How the others see a character.
+[[nodiscard]] Neighbour neighbour_of(const CharacterSettings& settings, const CharacterInput& input,
+                                     const CharacterState& state, std::uint32_t id = 0) noexcept;
 
 /// Can the body be here without touching anything?
 [[nodiscard]] bool fits(const World& world, const CharacterSettings& settings, const dvec3& position,

@@ -34,6 +34,7 @@ struct Touch {
     std::size_t index = 0;  ///< which of the surrounding triangles
     Feature feature = Feature::face;
     HitStatus status = HitStatus::ok;
+    bool is_neighbour = false;  ///< then `index` is one of the neighbours
 };
 
 /// The touches of one move in order of time.
@@ -50,12 +51,20 @@ private:
     std::size_t count_ = 0;
 };
 
+class Neighbours;
+
+/// Who was touched, in the user's own numbers.
+struct Named {
+    std::uint32_t body = 0;  ///< of a neighbour its id
+    std::uint32_t triangle = 0;
+};
+
 class Surroundings {
 public:
     static constexpr std::size_t most = 512;
 
-    Surroundings(const World& world, const WorldQuery& query, StepTrace* trace) noexcept
-        : world_(world), query_(query), trace_(trace) {}
+    Surroundings(const World& world, const WorldQuery& query, const Neighbours& neighbours, StepTrace* trace) noexcept
+        : world_(world), query_(query), neighbours_(neighbours), trace_(trace) {}
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
@@ -77,6 +86,8 @@ public:
     }
 
     [[nodiscard]] const World& world() const noexcept { return world_; }
+    [[nodiscard]] const Neighbours& neighbours() const noexcept { return neighbours_; }
+    [[nodiscard]] Named name_of(const Touch& touch) const noexcept;
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
 
     /// Tells the trace, if there is one. `make()` returns the record, and is not called otherwise.
@@ -96,6 +107,7 @@ private:
 
     const World& world_;
     WorldQuery query_;
+    const Neighbours& neighbours_;
     StepTrace* trace_;
     std::size_t count_ = 0;
     Box covered_{{1, 1, 1}, {-1, -1, -1}};

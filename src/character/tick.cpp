@@ -6,6 +6,7 @@
 #include "character/body.hpp"
 #include "character/ground.hpp"
 #include "character/motion.hpp"
+#include "character/neighbours.hpp"
 #include "character/recover.hpp"
 #include "character/slide.hpp"
 #include "character/walk.hpp"
@@ -23,7 +24,8 @@ constexpr double touching = 0.5;
 class Tick {
 public:
     Tick(const World& world, const CharacterSettings& settings, const CharacterInput& input, double tick,
-         const TickPart& part, const CharacterState& state, StepTrace* trace) noexcept
+         const TickPart& part, const CharacterState& state, std::span<const Neighbour> neighbours,
+         StepTrace* trace) noexcept
         : settings_(settings),
           input_(input),
           tick_(tick),
@@ -31,7 +33,8 @@ public:
           dt_(tick * (part.end - part.begin)),
           up_(to_vec(input.up) / length(to_vec(input.up))),
           body_(body_of(settings, up_)),
-          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, trace) {
+          neighbours_(body_, settings.skin, neighbours),
+          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, neighbours_, trace) {
         result_.state = state;
         gait_.up = up_;
         gait_.least_ground_up = cosine_deg(settings.slope_limit_deg);
@@ -46,6 +49,7 @@ public:
         ride();
         cover_all();
         get_out();
+        part_from_neighbours();
         stand();
         jump();
         if (standing_) {
@@ -123,6 +127,18 @@ private:
             say(CharacterEvent::stuck);
             tell({.act = StepAct::stuck});
         }
+    }
+
+    void part_from_neighbours() noexcept {
+        if (neighbours_.empty()) return;
+        neighbours_.place(surroundings_.world(), position_, velocity_, tick_, part_);
+        if (neighbours_.overflow()) say(CharacterEvent::overflow);
+        Vec way = neighbours_.way_apart(position_, recovery_speed * dt_, soft_parting_speed * dt_);
+        if (state().footing == Footing::ground) way = level(way);
+        if (way == Vec{}) return;
+        const Vec before = position_;
+        position_ = slide(surroundings_, body_, gait_, position_, way, {}).position;
+        tell({.motion = to_dvec3(position_ - before), .act = StepAct::parted});
     }
 
     // Is it on the ground now? Whoever was keeps to it within the snap distance; whoever was not has to touch it.
@@ -244,6 +260,7 @@ private:
         if (obstacle.normal == Vec{}) return;
         if (dot(obstacle.normal, up_) >= gait_.least_ground_up) return;
         say(CharacterEvent::blocked);
+        if (obstacle.is_neighbour) say(CharacterEvent::met_neighbour);
         result_.events.blocked_by = to_dvec3(obstacle.normal);
         result_.events.blocked_body = obstacle.body;
         result_.events.blocked_triangle = obstacle.triangle;
@@ -274,6 +291,7 @@ private:
     double dt_;      // how long that is [s]
     Vec up_;
     Body body_;
+    Neighbours neighbours_;
     Gait gait_{};
     Surroundings surroundings_;
     StepResult result_{};
@@ -286,8 +304,9 @@ private:
 }  // namespace
 
 StepResult tick_once(const World& world, const CharacterSettings& settings, const CharacterInput& input, double tick,
-                     const TickPart& part, const CharacterState& state, StepTrace* trace) noexcept {
-    return Tick(world, settings, input, tick, part, state, trace).run();
+                     const TickPart& part, const CharacterState& state, std::span<const Neighbour> neighbours,
+                     StepTrace* trace) noexcept {
+    return Tick(world, settings, input, tick, part, state, neighbours, trace).run();
 }
 
 }  // namespace surefoot::internal

@@ -10,6 +10,6 @@ namespace surefoot::internal {
 /// Requires: valid arguments. `tick` is all of the world's tick [s], `part` what is done of it here.
 [[nodiscard]] StepResult tick_once(const World& world, const CharacterSettings& settings, const CharacterInput& input,
                                    double tick, const TickPart& part, const CharacterState& state,
-                                   StepTrace* trace) noexcept;
+                                   std::span<const Neighbour> neighbours, StepTrace* trace) noexcept;
 
 }  // namespace surefoot::internal
