@@ -268,6 +268,7 @@ int push_through_a_door(bool keep_right) {
     EXPECT_EQ(many.deepest_overlap(), 0);
     const double speed = 4;
     double deepest = 0;
+    int meetings = 0;
     for (int tick = 0; tick < 500; ++tick) {
         for (std::size_t i = 0; i < many.states.size(); ++i) {
             const double side = i % 2 == 0 ? -1 : 1;
@@ -279,7 +280,9 @@ int push_through_a_door(bool keep_right) {
         }
         many.tick(world);
         deepest = std::max(deepest, many.deepest_overlap());
+        for (const CharacterEvents& events : many.events) meetings += events.has(CharacterEvent::met_neighbour) ? 1 : 0;
     }
+    EXPECT_GT(meetings, 100);
     EXPECT_LE(deepest, 2 * speed * many.dt);
     int through = 0;
     for (std::size_t i = 0; i < many.states.size(); ++i) {

@@ -34,6 +34,8 @@ enum class StepAct : std::uint8_t {
     jumped,          ///< with `value` upwards [m/s]
     landed,          ///< with `value` downwards [m/s]
     left_ground,
+    changed_form,  ///< took another of its bodies; the position moved up by `value` [m]
+    form_refused,  ///< there is no room for it
     crushed,
     stuck,
     overflow,       ///< more triangles or planes than there is room for
@@ -51,6 +53,7 @@ enum class StepRule : std::uint8_t {
     not_higher,      ///< ground ahead is no higher than here
     snap_distance,   ///< the ground is more than `limit` below [m]
     perch_distance,  ///< what holds it is `value` from its axis, and `limit` is allowed [m]
+    slippery,        ///< the surface's rule says that nobody stands on it
     steps_off,       ///< steps are switched off
 };
 

@@ -43,10 +43,10 @@ Volume turned_to(const Volume& volume, const Vec& up) noexcept {
     return {volume.shape, to_dquat(product(turn_to(up), scaled_to_one(volume.orientation)))};
 }
 
-Body body_of(const CharacterSettings& settings, const Vec& up) noexcept {
+Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     Body body;
-    body.volume = turned_to(settings.volume, up);
-    const GrownVolume kept_off = grown(body.volume, settings.skin);
+    body.volume = turned_to(volume, up);
+    const GrownVolume kept_off = grown(body.volume, skin);
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;
     const auto reach = [&](const Vec& direction) noexcept { return reach_along(body.kept_off, direction); };
@@ -58,7 +58,7 @@ Body body_of(const CharacterSettings& settings, const Vec& up) noexcept {
     const Vec other = cross(up, across);
     body.half_width = larger(larger(reach_along(body.volume, across), reach_along(body.volume, -across)),
                              larger(reach_along(body.volume, other), reach_along(body.volume, -other)));
-    body.foot = reach_along(body.volume, -up);
+    body.foot = reach_along(body.kept_off, -up) - dot(body.shift, up);
     return body;
 }
 

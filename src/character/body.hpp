@@ -8,8 +8,8 @@
 
 namespace surefoot::internal {
 
-/// `up` is of unit length. Requires: valid settings.
-[[nodiscard]] Body body_of(const CharacterSettings& settings, const Vec& up) noexcept;
+/// `up` is of unit length. Requires: a valid volume.
+[[nodiscard]] Body body_of(const Volume& volume, double skin, const Vec& up) noexcept;
 
 /// A volume that is upright where up is +Y, turned to `up`, which is of unit length.
 [[nodiscard]] Volume turned_to(const Volume& volume, const Vec& up) noexcept;

@@ -17,12 +17,10 @@ constexpr int most_turns = 16;
 }  // namespace
 
 Neighbours::Neighbours(const Body& body, double skin, std::span<const Neighbour> given) noexcept
-    : body_(body), skin_(skin), given_(given), count_(given.size() < most_neighbours ? given.size() : most_neighbours) {
-    if (count_ == 0) return;
-    const double size = size_of(body.volume.shape);
-    wider_ = skin * (1 + size / smallest_of(body.volume.shape));
-    size_ = larger(size + wider_, size_of(body.kept_off.shape) + length(body.shift));
-}
+    : body_(body),
+      skin_(skin),
+      given_(given),
+      count_(given.size() < most_neighbours ? given.size() : most_neighbours) {}
 
 // The shortest way that gets out of all, found by going out of each in turn. Between opposite ones there is none, and
 // going out of each in turn goes to and fro for ever; the middle of that is taken.
@@ -82,6 +80,9 @@ bool Neighbours::is_near(std::size_t index, const Vec& place, const Vec& low, co
 void Neighbours::place(const World& world, const Vec& position, const Vec& velocity, double tick,
                        const TickPart& part) noexcept {
     placed_ = true;
+    const double size = size_of(body_.volume.shape);
+    wider_ = skin_ * (1 + size / smallest_of(body_.volume.shape));
+    size_ = larger(size + wider_, size_of(body_.kept_off.shape) + length(body_.shift));
     comes_.reset();
     const Vec way = velocity * (tick * (part.end - part.begin));
     for (std::size_t i = 0; i < count_; ++i) {

@@ -41,9 +41,7 @@ public:
                 return result_;
             }
             tell({.motion = to_dvec3(motion), .act = StepAct::pass});
-            const Vec before = result_.position;
-            if (go(motion)) return result_;
-            if (gait_.stops && !(before == result_.position)) return result_;
+            if (go(motion) || gait_.stops) return result_;
         }
         return result_;
     }
@@ -104,8 +102,14 @@ private:
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
     bool leap(const Vec& motion, double way) noexcept {
         const Vec from = result_.position + body_.shift;
-        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)},
-                                                     surroundings_.query());
+        // One-way surfaces are none to what rises.
+        const bool rises = dot(motion, gait_.up) > 0;
+        const auto exists = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !(rises && surroundings_.rule_of(surface).one_way);
+        };
+        WorldQuery query = surroundings_.query();
+        query.triangles = BodyTriangleFilter(exists);
+        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
         const double t = surroundings_.neighbours().first(result_.position, motion, hit ? hit->t : 2);
         if (t > 1) {
             result_.position = result_.position + motion;
@@ -150,11 +154,12 @@ private:
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         if (touch.is_neighbour) return meet_neighbour(touch, motion);
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, 0.5 * gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {
-            if (dot(normal, motion) >= -along_tolerance * way) continue;
+            // What is obeyed already is so within rounding.
+            if (dot(normal, motion) >= -along_tolerance * way || result_.planes.has(normal)) continue;
             if (!in_the_way) tell(StepAct::touch, touch, touch.normal, StepRule::none, touch.t);
             if (faces.replaced) tell(StepAct::seam, touch, normal);
             in_the_way = true;
@@ -167,7 +172,7 @@ private:
     // Neighbours are walls, however their bodies are rounded: nobody walks up another, or is pressed down by one.
     bool meet_neighbour(const Touch& touch, const Vec& motion) noexcept {
         const Vec& normal = touch.normal;
-        if (dot(normal, motion) >= -along_tolerance * length(motion)) return false;
+        if (dot(normal, motion) >= -along_tolerance * length(motion) || result_.planes.has(normal)) return false;
         tell(StepAct::met_neighbour, touch, normal, StepRule::none, touch.t);
         note(normal, touch, 0);
         const double rises = dot(normal, gait_.up);

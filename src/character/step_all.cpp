@@ -3,6 +3,7 @@
 #include <surefoot/character.hpp>
 
 #include "character/body.hpp"
+#include "character/form.hpp"
 #include "character/many.hpp"
 
 namespace surefoot {
@@ -24,7 +25,7 @@ Neighbour neighbour_of(const CharacterSettings& settings, const CharacterInput& 
                        std::uint32_t id) noexcept {
     const internal::Vec up = internal::to_vec(input.up);
     Neighbour neighbour;
-    neighbour.volume = internal::turned_to(settings.volume, up / internal::length(up));
+    neighbour.volume = internal::turned_to(internal::volume_of(settings, state.form), up / internal::length(up));
     neighbour.position = state.position;
     neighbour.velocity = state.velocity;
     neighbour.id = id;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include <surefoot/character_surface.hpp>
 #include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/query.hpp>
@@ -23,7 +24,7 @@ struct Body {
     Vec shift;          ///< from the position to the reference point of `kept_off` [m]
     Vec below, above;   ///< corners of the box around `kept_off`, relative to the position [m]
     double half_width;  ///< the largest horizontal reach of the volume from its axis [m]
-    double foot;        ///< how far the lowest point of the volume is from the position, along -up [m]
+    double foot;        ///< how far the lowest point of `kept_off` is from the position, along -up [m]
 };
 
 /// One touch on the way of a body.
@@ -63,8 +64,10 @@ class Surroundings {
 public:
     static constexpr std::size_t most = 512;
 
-    Surroundings(const World& world, const WorldQuery& query, const Neighbours& neighbours, StepTrace* trace) noexcept
-        : world_(world), query_(query), neighbours_(neighbours), trace_(trace) {}
+    /// `slack`: how far a body may be behind a one-way surface and still have come from its front [m].
+    Surroundings(const World& world, const WorldQuery& query, const SurfaceRules& rules, double slack,
+                 const Neighbours& neighbours, StepTrace* trace) noexcept
+        : world_(world), query_(query), rules_(rules), slack_(slack), neighbours_(neighbours), trace_(trace) {}
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
@@ -88,6 +91,7 @@ public:
     [[nodiscard]] const World& world() const noexcept { return world_; }
     [[nodiscard]] const Neighbours& neighbours() const noexcept { return neighbours_; }
     [[nodiscard]] Named name_of(const Touch& touch) const noexcept;
+    [[nodiscard]] SurfaceRule rule_of(std::uint32_t surface) const noexcept { return rules_[surface]; }
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
 
     /// Tells the trace, if there is one. `make()` returns the record, and is not called otherwise.
@@ -107,6 +111,8 @@ private:
 
     const World& world_;
     WorldQuery query_;
+    SurfaceRules rules_;
+    double slack_;
     const Neighbours& neighbours_;
     StepTrace* trace_;
     std::size_t count_ = 0;

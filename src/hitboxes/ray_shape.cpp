@@ -107,8 +107,8 @@ Inside in_capsule(const Capsule& capsule, const Vec& from, const Vec& along) noe
     const Inside balls = either(in_ball(end, capsule.radius, from, along), in_ball(-end, capsule.radius, from, along));
     if (!(capsule.half_height > 0)) return balls;
     const Inside middle = in_cylinder(capsule.radius, capsule.half_height, from, along);
-    // Through the flat ends the cylinder is entered inside of a ball.
-    if (middle.normal.y != 0 || middle.empty()) return balls;
+    // Through a flat end the cylinder is entered inside of a ball, but left where no ball may be.
+    if (middle.normal.y != 0 && !middle.empty()) return {balls.enter, larger(balls.exit, middle.exit), balls.normal};
     return either(balls, middle);
 }
 
