@@ -10,28 +10,28 @@
 namespace surefoot::bench {
 
 struct CharacterOptions {
-    std::size_t count = 1000;    ///< characters
-    std::size_t ticks = 200;     ///< timed, of 1/60 s
-    std::size_t settling = 90;   ///< before that, not timed
-    std::size_t bullets = 200;   ///< characters of Bullet's, which are slow
+    std::size_t count = 1000;   ///< characters
+    std::size_t ticks = 200;    ///< timed, of 1/60 s
+    std::size_t settling = 90;  ///< before that, not timed
+    std::size_t bullets = 200;  ///< characters of Bullet's, which are slow
     std::size_t bullet_ticks = 60;
 };
 
 /// How many walk how.
 struct CharacterRow {
     std::string name;
-    double median = 0;        ///< of ticks, each divided by its characters [ns an update]
-    double p50 = 0;           ///< of single updates [ns]
-    double p99 = 0;           ///< [ns]
-    double p999 = 0;          ///< [ns]
-    double worst = 0;         ///< [ns]
-    double walked = 0;        ///< as seen from above, of `speed_asked` [m/s]
-    double grounded = 0;      ///< share of all updates that end on ground [0, 1]
-    double blocked = 0;       ///< share of all updates that met something in the way [0, 1]
-    double gather = 0;        ///< the crowd's own: taking everybody in [ns a character]
-    double neighbours = 0;    ///< the crowd's own: finding the others [ns a character]
-    double met = 0;           ///< how many others a character is given
-    double two_threads = 0;   ///< time of a tick on one thread over that on two; 0 where it was not measured
+    double median = 0;       ///< of ticks, each divided by its characters [ns an update]
+    double p50 = 0;          ///< of single updates [ns]
+    double p99 = 0;          ///< [ns]
+    double p999 = 0;         ///< [ns]
+    double worst = 0;        ///< [ns]
+    double walked = 0;       ///< as seen from above, of `speed_asked` [m/s]
+    double grounded = 0;     ///< share of all updates that end on ground [0, 1]
+    double blocked = 0;      ///< share of all updates that met something in the way [0, 1]
+    double gather = 0;       ///< the crowd's own: taking everybody in [ns a character]
+    double neighbours = 0;   ///< the crowd's own: finding the others [ns a character]
+    double met = 0;          ///< how many others a character is given
+    double two_threads = 0;  ///< time of a tick on one thread over that on two; 0 where it was not measured
 };
 
 struct CharacterReport {

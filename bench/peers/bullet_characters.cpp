@@ -59,8 +59,7 @@ struct BulletCharacter {
         ghost.setWorldTransform(btTransform(btQuaternion::getIdentity(), to_bullet(place)));
         ghost.setCollisionShape(&capsule);
         ghost.setCollisionFlags(btCollisionObject::CF_CHARACTER_OBJECT);
-        controller =
-            std::make_unique<btKinematicCharacterController>(&ghost, &capsule, 0.4F, btVector3(0, 1, 0));
+        controller = std::make_unique<btKinematicCharacterController>(&ghost, &capsule, 0.4F, btVector3(0, 1, 0));
         controller->setGravity(btVector3(0, -20, 0));
         controller->setMaxSlope(btRadians(50.0F));
         world->addCollisionObject(&ghost, btBroadphaseProxy::CharacterFilter, btBroadphaseProxy::StaticFilter);

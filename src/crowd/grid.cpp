@@ -66,6 +66,7 @@ std::uint32_t Grid::slot_of(const Cell& cell, std::int32_t level) const noexcept
 void Grid::build(std::span<const Block> blocks) noexcept {
     levels_ = 0;
     count_ = 0;
+    reaches_ = {};
     if (slots_ == 0) return;
     std::fill_n(begins_.get(), slots_ + 1, 0U);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -76,6 +77,9 @@ void Grid::build(std::span<const Block> blocks) noexcept {
         const Vec& at = entry.block.centre;
         entry.slot = slot_of({cell_of(at.x, edge), cell_of(at.y, edge), cell_of(at.z, edge)}, entry.level);
         levels_ |= std::uint64_t{1} << entry.level;
+        Vec& most = reaches_[static_cast<std::size_t>(entry.level)];
+        const Vec& reach = entry.block.reach;
+        most = {larger(most.x, reach.x), larger(most.y, reach.y), larger(most.z, reach.z)};
         ++begins_[entry.slot + 1];
     }
     for (std::uint32_t slot = 0; slot < slots_; ++slot) begins_[slot + 1] += begins_[slot];

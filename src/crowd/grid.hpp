@@ -2,6 +2,7 @@
 // large: one giant among ants does not make the ants' cells larger.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -60,6 +61,7 @@ private:
     std::size_t count_ = 0;
     std::uint32_t slots_ = 0;                  // a power of two
     std::uint64_t levels_ = 0;                 // which are in use, a bit for each
+    std::array<Vec, most_levels> reaches_;     // none of a level reaches farther, along each axis
     std::unique_ptr<Entry[]> entries_;         // in the order of their slots
     std::unique_ptr<Entry[]> unsorted_;        // for `build`
     std::unique_ptr<std::uint32_t[]> begins_;  // where each slot's entries begin, and one more
@@ -95,7 +97,7 @@ void Grid::each_near(const Block& block, const Visit& visit) const noexcept {
     for (std::int32_t level = 0; level < most_levels; ++level) {
         if ((levels_ >> level & 1) == 0) continue;
         const double edge = edge_of(level);
-        const Vec reach = block.reach + Vec{0.5, 0.5, 0.5} * edge;  // none of this level reaches farther than that
+        const Vec reach = block.reach + reaches_[static_cast<std::size_t>(level)];
         const Vec low = block.centre - reach;
         const Vec high = block.centre + reach;
         const Cell first{cell_of(low.x, edge), cell_of(low.y, edge), cell_of(low.z, edge)};
