@@ -50,6 +50,14 @@ enum class Footing : std::uint8_t {
     air,     ///< nothing
     ground,  ///< something that is not too steep
     steep,   ///< something that is: it slides
+    ledge,   ///< it hangs on an edge, by its hands
+};
+
+/// What its hands do.
+enum class Hold : std::uint8_t {
+    none,
+    hanging,
+    climbing,  ///< up over the edge
 };
 
 /// All that a character is between two ticks: plain, without padding, comparable.
@@ -62,7 +70,9 @@ struct CharacterState {
     double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
     double since_wall = 1e9;         ///< time since it touched a wall [s]
     double since_dash = 1e9;         ///< time since its last dash began [s]
-    dvec3 wall_normal{0, 0, 0};      ///< of that wall
+    dvec3 wall_normal{0, 0, 0};      ///< of that wall, or of the one under the edge that it holds
+    dvec3 ledge_point{0, 0, 0};      ///< of the edge that it holds [m]
+    double since_hold = 1e9;         ///< time since it let go of an edge [s]
     std::uint32_t ground_body = 0;   ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
@@ -72,33 +82,38 @@ struct CharacterState {
     std::uint8_t is_jumping = 0;  ///< 1 while rising from a jump
     std::uint8_t dash_held = 0;   ///< 1 if `dash` was held in the last tick
     CharacterForm form = CharacterForm::standing;
-    std::uint8_t reserved[3] = {};  ///< zero
+    Hold hold = Hold::none;
+    std::uint8_t reserved[2] = {};  ///< zero
 
     friend bool operator==(const CharacterState&, const CharacterState&) = default;
 };
 
-static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 176);
+static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 208);
 
 /// What happened in one tick: a set of these.
 enum class CharacterEvent : std::uint32_t {
-    jumped = 1U << 0,          ///< left the ground by a jump, or jumped in the air
-    landed = 1U << 1,          ///< came to stand on ground
-    left_ground = 1U << 2,     ///< ground was there and is not any more
-    stepped_up = 1U << 3,      ///< walked up a step
-    snapped_down = 1U << 4,    ///< followed the ground downwards by more than its slope
-    blocked = 1U << 5,         ///< did not get where it wanted: something was in the way
-    hit_ceiling = 1U << 6,     ///< something from above
-    crushed = 1U << 7,         ///< no room is left between things that move
-    stuck = 1U << 8,           ///< begins inside of something, and there is no way out
-    recovered = 1U << 9,       ///< began too close to something or inside of it, and was moved out
-    sub_stepped = 1U << 10,    ///< the tick was longer than `longest_tick` and was done in parts
-    overflow = 1U << 11,       ///< more triangles or contacts than there is room for: the move ended early
-    pushed = 1U << 12,         ///< something that moves came against it
-    dashed = 1U << 13,         ///< began a dash
-    climbing = 1U << 14,       ///< is on a ladder
-    no_room = 1U << 15,        ///< would stand up or change its body, but there is no room
-    invalid = 1U << 16,        ///< something in the arguments is out of its range: the state is unchanged
-    met_neighbour = 1U << 17,  ///< with `blocked`: what blocked it the most is a neighbour, `blocked_body` its id
+    jumped = 1U << 0,        ///< left the ground by a jump, or jumped in the air
+    landed = 1U << 1,        ///< came to stand on ground
+    left_ground = 1U << 2,   ///< ground was there and is not any more
+    stepped_up = 1U << 3,    ///< walked up a step
+    snapped_down = 1U << 4,  ///< followed the ground downwards by more than its slope
+    blocked = 1U << 5,       ///< did not get where it wanted: something was in the way
+    hit_ceiling = 1U << 6,   ///< something from above
+    crushed = 1U << 7,       ///< no room is left between things that move
+    stuck = 1U << 8,         ///< begins inside of something, and there is no way out
+    recovered = 1U << 9,     ///< began too close to something or inside of it, and was moved out
+    sub_stepped = 1U << 10,  ///< the tick was longer than `longest_tick` and was done in parts
+    overflow = 1U << 11,     ///< more triangles or contacts than there is room for: the move ended early
+    pushed = 1U << 12,       ///< something that moves came against it
+    dashed = 1U << 13,       ///< began a dash
+    climbing = 1U << 14,     ///< is on a ladder
+    grabbed_ledge = 1U << 17,
+    dropped_ledge = 1U << 18,
+    climbed_ledge = 1U << 19,
+    vaulted = 1U << 20,  ///< climbs over something by a press of jump
+    no_room = 1U << 15,  ///< would stand up or change its body, but there is no room
+    invalid = 1U << 16,  ///< something in the arguments is out of its range: the state is unchanged
+    met_neighbour = 1U << 21,  ///< with `blocked`: what blocked it the most is a neighbour, `blocked_body` its id
 };
 
 /// The events of one tick, and what belongs to them.

@@ -92,6 +92,12 @@ struct CharacterSettings {
     double fly_acceleration = 40;    ///< towards the wish, flying freely [m/s^2, >= 0]
     double ladder_speed = 2.5;       ///< up surfaces that are ladders, while pressed against them [m/s, >= 0]; 0: none
 
+    double ledge_reach = 0;     ///< how far ahead of the body hands reach for an edge [m, >= 0]; 0: it holds none
+    double hands_height = 1.7;  ///< from the feet up to the hands that hold an edge [m, > 0]
+    double climb_speed = 3;     ///< up over an edge [m/s, > 0]
+    double shimmy_speed = 1.2;  ///< along it [m/s, >= 0]
+    double vault_height = 0;    ///< what is at most so high is climbed by a press of jump [m, >= 0]; 0: nothing is
+
     /// What the level's surfaces do; without a table all of it is firm ground.
     SurfaceRules surfaces{};
 

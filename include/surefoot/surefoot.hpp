@@ -10,6 +10,7 @@
 #include <surefoot/debug_draw.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>
+#include <surefoot/fixed_step.hpp>
 #include <surefoot/height_field.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/hitboxes.hpp>

@@ -49,6 +49,7 @@ Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     const GrownVolume kept_off = grown(body.volume, skin);
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;
+    body.frame = Frame(body.volume.orientation);
     const auto reach = [&](const Vec& direction) noexcept { return reach_along(body.kept_off, direction); };
     body.above = Vec{reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})} + body.shift;
     body.below = Vec{-reach({-1, 0, 0}), -reach({0, -1, 0}), -reach({0, 0, -1})} + body.shift;

@@ -21,7 +21,15 @@ CharacterForm wanted(const Tick& tick) noexcept {
     return CharacterForm::standing;
 }
 
-// Is there room for the body, half a skin from everything?
+}  // namespace
+
+const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) noexcept {
+    if (form == CharacterForm::crouched && settings.crouched) return *settings.crouched;
+    if (form == CharacterForm::in_air && settings.in_air) return *settings.in_air;
+    if (form == CharacterForm::on_ramp && settings.on_ramp) return *settings.on_ramp;
+    return settings.volume;
+}
+
 bool has_room(Tick& tick, const Body& body, const Vec& position) noexcept {
     const Vec wide = Vec{1, 1, 1} * (2 * tick.gait.skin);
     const Vec low = position + body.below - wide;
@@ -34,15 +42,6 @@ bool has_room(Tick& tick, const Body& body, const Vec& position) noexcept {
         room = !surefoot::overlap(near.volume, to_dvec3(position + near.shift), triangle.triangle);
     });
     return room;
-}
-
-}  // namespace
-
-const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) noexcept {
-    if (form == CharacterForm::crouched && settings.crouched) return *settings.crouched;
-    if (form == CharacterForm::in_air && settings.in_air) return *settings.in_air;
-    if (form == CharacterForm::on_ramp && settings.on_ramp) return *settings.on_ramp;
-    return settings.volume;
 }
 
 void change_form(Tick& tick) noexcept {
@@ -62,6 +61,7 @@ void change_form(Tick& tick) noexcept {
     }
     tick.state.form = form;
     tick.body = body;
+    tick.surroundings.forget_body();
     tick.position = position;
 }
 

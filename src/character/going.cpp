@@ -101,8 +101,7 @@ bool climb(Tick& tick) noexcept {
     if (!tick.surroundings.cover(tick.position + tick.body.below - wide, tick.position + tick.body.above + wide)) {
         return false;
     }
-    tick.surroundings.sweep(tick.body.kept_off, tick.body.shift, tick.body.below, tick.body.above, tick.position, probe,
-                            touches);
+    tick.surroundings.sweep(tick.body, tick.position, probe, touches);
     for (const Touch& touch : touches.get()) {
         const SourceTriangle triangle = tick.surroundings.triangles()[touch.index];
         const double towards = -dot(touch.normal, ahead);

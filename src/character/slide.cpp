@@ -84,7 +84,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, motion, touches_);
+        surroundings_.sweep(body_, result_.position, motion, touches_);
         surroundings_.neighbours().sweep(result_.position, motion, touches_);
         return go_to_first(motion, way);
     }
@@ -122,7 +122,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, near, touches_);
+        surroundings_.sweep(body_, result_.position, near, touches_);
         surroundings_.neighbours().sweep(result_.position, near, touches_);
         (void)go_to_first(near, 2 * size_);
         return false;

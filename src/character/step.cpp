@@ -25,7 +25,8 @@ bool is_valid(const CharacterInput& input) noexcept {
 bool is_valid(const CharacterState& state) noexcept {
     return is_valid_point(state.position) && is_finite(state.velocity) && is_finite(state.ground_normal) &&
            is_finite(state.ground_velocity) && state.since_ground >= 0 && state.since_jump_press >= 0 &&
-           state.since_wall >= 0 && state.since_dash >= 0 && is_finite(state.wall_normal);
+           state.since_wall >= 0 && state.since_dash >= 0 && is_finite(state.wall_normal) &&
+           is_finite(state.ledge_point) && state.since_hold >= 0;
 }
 
 bool are_valid(std::span<const Neighbour> neighbours) noexcept {
@@ -70,11 +71,13 @@ bool is_valid(const CharacterSettings& settings) noexcept {
         if (!is_within(settings.skin, 1e-6, 0.25 * internal::smallest_of(volume->shape))) return false;
     }
     const double lengths[] = {settings.step_up, settings.snap_down, settings.perch_distance, settings.jump_height};
-    const double rates[] = {
-        settings.gravity,          settings.terminal_speed,    settings.acceleration,     settings.braking,
-        settings.air_acceleration, settings.coyote_time,       settings.jump_buffer,      settings.wall_slide_speed,
-        settings.wall_jump_speed,  settings.wall_coyote_time,  settings.dash_speed,       settings.dash_time,
-        settings.dash_pause,       settings.swim_acceleration, settings.fly_acceleration, settings.ladder_speed};
+    const double rates[] = {settings.gravity,          settings.terminal_speed,    settings.acceleration,
+                            settings.braking,          settings.air_acceleration,  settings.coyote_time,
+                            settings.jump_buffer,      settings.wall_slide_speed,  settings.wall_jump_speed,
+                            settings.wall_coyote_time, settings.dash_speed,        settings.dash_time,
+                            settings.dash_pause,       settings.swim_acceleration, settings.fly_acceleration,
+                            settings.ladder_speed,     settings.ledge_reach,       settings.hands_height,
+                            settings.climb_speed,      settings.shimmy_speed,      settings.vault_height};
     for (const double length : lengths) {
         if (!is_within(length, 0, 1e6)) return false;
     }

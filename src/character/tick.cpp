@@ -23,6 +23,12 @@ StepResult finish(Tick& tick) noexcept {
         after.since_ground = 0;
         after.air_jumps_left = tick.settings.air_jumps;
     }
+    if (after.hold != Hold::none) {
+        after.footing = Footing::ledge;
+        after.ground_normal = {0, 0, 0};
+        after.ground_velocity = {0, 0, 0};
+        return {after, tick.events};
+    }
     const bool carried = after.footing != Footing::air;
     after.ground_normal = carried ? to_dvec3(tick.ground.normal) : dvec3{0, 0, 0};
     after.ground_velocity = carried ? to_dvec3(velocity_of(tick, tick.ground)) : dvec3{0, 0, 0};
@@ -106,6 +112,7 @@ void remember_buttons(Tick& tick) noexcept {
     state.since_ground += tick.dt;
     state.since_wall += tick.dt;
     state.since_dash += tick.dt;
+    state.since_hold += tick.dt;
 }
 
 void ride(Tick& tick) noexcept {
@@ -126,13 +133,19 @@ void ride(Tick& tick) noexcept {
 
 void look_around(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
-    const double way = (length(tick.velocity) + length(to_vec(tick.input.wish))) * tick.dt + settings.step_depth +
-                       0.5 * settings.gravity * tick.dt * tick.dt + 3 * settings.skin;
+    // Steps look farther ahead and up, and gather again; most ticks have none.
+    const double speed = larger(length(tick.velocity), length(to_vec(tick.input.wish)));
+    const double way = (speed + settings.gravity * tick.dt) * tick.dt + 3 * settings.skin;
     if (way > 4 * largest(tick.body.above - tick.body.below)) return;
-    const double vertical = larger(way, larger(settings.step_up, settings.snap_down) + 3 * settings.skin);
-    const auto reach = [&](double along) { return way + (vertical - way) * absolute(along); };
-    const Vec around{reach(tick.up.x), reach(tick.up.y), reach(tick.up.z)};
-    (void)tick.surroundings.cover(tick.position + tick.body.below - around, tick.position + tick.body.above + around);
+    const bool on_foot = tick.state.footing == Footing::ground;
+    const double deep = larger(way, on_foot ? settings.snap_down + 3 * settings.skin : 0);
+    const Vec around = Vec{1, 1, 1} * way;
+    const Vec down = tick.up * (way - deep);
+    const Vec low = tick.position + tick.body.below - around;
+    const Vec high = tick.position + tick.body.above + around;
+    (void)tick.surroundings.cover(
+        {smaller(low.x, low.x + down.x), smaller(low.y, low.y + down.y), smaller(low.z, low.z + down.z)},
+        {larger(high.x, high.x + down.x), larger(high.y, high.y + down.y), larger(high.z, high.z + down.z)});
 }
 
 void get_out(Tick& tick) noexcept {
@@ -172,6 +185,7 @@ StepResult tick_once(const TickArguments& arguments) noexcept {
         return finish(now);
     }
     stand(now);
+    if (hold_ledge(now)) return finish(now);
     leap(now);
     if (climb(now)) return finish(now);
     if (now.standing) {

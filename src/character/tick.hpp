@@ -74,8 +74,9 @@ void stand(Tick& tick) noexcept;        ///< is there ground?
 void leap(Tick& tick) noexcept;         ///< jumps, jumps off walls, dashes
 void go_on_foot(Tick& tick, double seconds) noexcept;
 void fall(Tick& tick, double seconds) noexcept;
-void move_freely(Tick& tick) noexcept;          ///< swims or flies
-[[nodiscard]] bool climb(Tick& tick) noexcept;  ///< on a ladder, if there is one
+void move_freely(Tick& tick) noexcept;               ///< swims or flies
+[[nodiscard]] bool hold_ledge(Tick& tick) noexcept;  ///< grabs, hangs, climbs, vaults, where there is an edge
+[[nodiscard]] bool climb(Tick& tick) noexcept;       ///< on a ladder, if there is one
 void land(Tick& tick, double upward_speed) noexcept;
 
 /// What it takes along from ground that moved.
