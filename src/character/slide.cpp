@@ -238,7 +238,12 @@ private:
         if (met.share > result_.obstacle.share) result_.obstacle = met;
         if (touch.is_neighbour) return;  // nothing to step on to
         if (rises < -0.1) result_.met_ceiling = true;
-        if (rises < gait_.least_ground_up && rises > -0.5 && result_.wall.normal == Vec{}) result_.wall = met;
+        if (rises >= gait_.least_ground_up || rises <= -0.5) return;
+        // How squarely it is met as seen from above.
+        const Vec level = wish - gait_.up * dot(wish, gait_.up);
+        const Vec run = normal - gait_.up * rises;
+        met.share = -dot(run, level);
+        if (met.share > result_.wall.share) result_.wall = met;
     }
 
     Surroundings& surroundings_;
