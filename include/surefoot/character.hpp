@@ -110,9 +110,9 @@ enum class CharacterEvent : std::uint32_t {
     grabbed_ledge = 1U << 17,
     dropped_ledge = 1U << 18,
     climbed_ledge = 1U << 19,
-    vaulted = 1U << 20,  ///< climbs over something by a press of jump
-    no_room = 1U << 15,  ///< would stand up or change its body, but there is no room
-    invalid = 1U << 16,  ///< something in the arguments is out of its range: the state is unchanged
+    vaulted = 1U << 20,        ///< climbs over something by a press of jump
+    no_room = 1U << 15,        ///< would stand up or change its body, but there is no room
+    invalid = 1U << 16,        ///< something in the arguments is out of its range: the state is unchanged
     met_neighbour = 1U << 21,  ///< with `blocked`: what blocked it the most is a neighbour, `blocked_body` its id
 };
 

@@ -21,7 +21,6 @@ struct SteppedUp {
 /// `step_depth` ahead, square to the `wall` that blocks it and however short `level` is; then it is gone by `level`.
 [[nodiscard]] std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait,
                                                const GroundRule& rule, const StepSettings& settings,
-                                               const Vec& position, const Vec& level,
-                                               const Vec& wall) noexcept;
+                                               const Vec& position, const Vec& level, const Vec& wall) noexcept;
 
 }  // namespace surefoot::internal

@@ -51,9 +51,9 @@ private:
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
         if (!(slid.wall.normal == Vec{}) && settings_.step_up > 0 && dot(slid.wall.normal, level) < 0) {
-            const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_,
-                                                   {settings_.step_up, settings_.step_depth}, from, level,
-                                                   slid.wall.normal);
+            const auto stepped =
+                internal::step_up(surroundings_, body_, gait_, rule_, {settings_.step_up, settings_.step_depth}, from,
+                                  level, slid.wall.normal);
             if (stepped && dot(stepped->position - slid.position, level) > 0) {
                 result_.position = stepped->position;
                 result_.stepped_up = true;
