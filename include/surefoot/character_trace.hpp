@@ -33,7 +33,8 @@ enum class StepAct : std::uint8_t {
     snapped_down,    ///< followed the ground down by `value` [m]
     jumped,          ///< with `value` upwards [m/s]
     landed,          ///< with `value` downwards [m/s]
-    left_ground,
+    left_ground,     ///< see `rule`
+    jump_refused,    ///< asked for in the air: see `rule`
     crushed,
     stuck,
     overflow,  ///< more triangles or planes than there is room for
@@ -44,12 +45,13 @@ enum class StepRule : std::uint8_t {
     none,
     slope_limit,     ///< the surface is too steep: its normal's part along `up` is `value`, and `limit` is the least
     step_height,     ///< what is ahead is `value` higher, and `limit` is allowed [m]
-    head_room,       ///< there is room for `value` above it, and it would need `limit` [m]
+    head_room,       ///< there is room for `value` above it, and the step would need `limit` [m]
     no_advance,      ///< raised by the step height it still gets no farther than `value`; `limit` is needed [m]
     not_higher,      ///< ground ahead is no higher than here
-    snap_distance,   ///< the ground is more than `limit` below [m]
+    snap_distance,   ///< the ground is `value` below, 0 if there is none near, and `limit` is followed [m]
     perch_distance,  ///< what holds it is `value` from its axis, and `limit` is allowed [m]
-    steps_off,       ///< steps are switched off
+    steps_off,       ///< steps are switched off; what is ahead is `value` higher, 0 if it is not known [m]
+    coyote_time,     ///< it is `value` since it was on ground, and `limit` is allowed [s]
 };
 
 /// One line of the story.

@@ -1,15 +1,24 @@
 #include "character/stairs.hpp"
 
+#include "character/look.hpp"
+
 namespace surefoot::internal {
 
 namespace {
 
-struct Raised {
-    Vec position;
-    double height;
-};
+// What is told instead of "no room" or "no advance" where the reason can be found: only the trace wants to know it.
+Refusal reason_of(const Surroundings& surroundings, const Body& body, const Gait& gait, const StepSettings& settings,
+                  const Vec& position, const Vec& level, double raised, const Refusal& found) noexcept {
+    if (!surroundings.is_traced()) return found;
+    const Ahead ahead = look_ahead(surroundings, body, gait, settings, position, level);
+    const bool lacks_room = raised < settings.step_up - gait.skin && raised < ahead.height;
+    if (lacks_room) return {StepRule::head_room, raised, ahead.height, ahead.landing};
+    if (ahead.is_reached) return {StepRule::step_height, ahead.height, settings.step_up, ahead.landing};
+    return found;
+}
 
-// Straight up as far as there is room.
+}  // namespace
+
 Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
              double height) noexcept {
     Gait straight = gait;
@@ -20,8 +29,6 @@ Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, con
     const double risen = dot(top - position, gait.up);
     return {position + gait.up * risen, risen};
 }
-
-}  // namespace
 
 std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
                                  const StepSettings& settings, const Vec& position, const Vec& level) noexcept {
@@ -48,7 +55,12 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     };
     tell(StepAct::step_tried, StepRule::none, settings.step_up, settings.step_depth);
     const Raised raised = raise(surroundings, body, gait, position, settings.step_up);
-    if (raised.height <= gait.skin) return refuse(StepRule::head_room, raised.height, settings.step_up);
+    const auto refuse_for_want = [&](StepRule decided, double value, double limit) noexcept {
+        const Refusal why =
+            reason_of(surroundings, body, gait, settings, position, level, raised.height, {decided, value, limit, {}});
+        return refuse(why.rule, why.value, why.limit, why.at);
+    };
+    if (raised.height <= gait.skin) return refuse_for_want(StepRule::head_room, raised.height, settings.step_up);
     const auto forward = [&](double length) noexcept {
         return slide(surroundings, body, gait, raised.position, ahead * length, {}).position;
     };
@@ -58,7 +70,7 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     // The question: is there ground ahead, higher than here? What is reached may lie beside, along a wall.
     const Vec probe = forward(larger(way, settings.step_depth));
     const double advance = dot(probe - raised.position, ahead);
-    if (advance <= gait.skin) return refuse(StepRule::no_advance, advance, gait.skin);
+    if (advance <= gait.skin) return refuse_for_want(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
     const double risen = dot(probe - position, gait.up) - landing.distance;
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);

@@ -85,6 +85,8 @@ public:
         if (trace_ != nullptr) trace_->push(make());
     }
 
+    [[nodiscard]] bool is_traced() const noexcept { return trace_ != nullptr; }
+
 private:
     struct Box {
         Vec min, max;

@@ -5,6 +5,7 @@
 #include "angle.hpp"
 #include "character/body.hpp"
 #include "character/ground.hpp"
+#include "character/look.hpp"
 #include "character/motion.hpp"
 #include "character/recover.hpp"
 #include "character/slide.hpp"
@@ -146,7 +147,13 @@ private:
         if (state().since_jump_press > settings_.jump_buffer) return;
         const bool from_ground =
             standing_ || (state().since_ground <= settings_.coyote_time && state().is_jumping == 0);
-        if (!from_ground && (state().air_jumps_left == 0 || state().since_jump_press > 0)) return;
+        if (!from_ground && (state().air_jumps_left == 0 || state().since_jump_press > 0)) {
+            if (state().since_jump_press > 0) return;
+            return tell({.value = state().since_ground,
+                         .limit = settings_.coyote_time,
+                         .act = StepAct::jump_refused,
+                         .rule = StepRule::coyote_time});
+        }
         if (!from_ground) --state().air_jumps_left;
         const double speed = std::sqrt(2 * settings_.gravity * settings_.jump_height);
         velocity_ = level(velocity_) + up_ * speed;
@@ -181,9 +188,19 @@ private:
         standing_ = false;
         velocity_ = velocity_ + left_behind();
         say(CharacterEvent::left_ground);
-        tell(StepAct::left_ground, ground_);
+        tell_fall();
         state().since_ground = dt_ * (1 - walked.done);
         if (walked.done < 1) fall(dt_ * (1 - walked.done));
+    }
+
+    void tell_fall() const noexcept {
+        if (ground_.footing == Footing::steep) return tell(StepAct::left_ground, ground_);
+        if (!surroundings_.is_traced()) return;
+        Ground below = look_down(surroundings_, body_, gait_, position_);
+        below.rule = StepRule::snap_distance;
+        below.value = below.distance;
+        below.limit = settings_.snap_down;
+        tell(StepAct::left_ground, below);
     }
 
     void fall(double seconds) noexcept {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "character/look.hpp"
 #include "character/stairs.hpp"
 
 namespace surefoot::internal {
@@ -50,7 +51,9 @@ private:
         result_.met_ceiling = result_.met_ceiling || slid.met_ceiling;
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
-        if (!(slid.wall.normal == Vec{}) && settings_.step_up > 0 && dot(slid.wall.normal, level) < 0) {
+        const bool is_walled = !(slid.wall.normal == Vec{}) && dot(slid.wall.normal, level) < 0;
+        if (is_walled && !(settings_.step_up > 0)) tell_steps_off(level);
+        if (is_walled && settings_.step_up > 0) {
             const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_,
                                                    {settings_.step_up, settings_.step_depth}, from, level);
             if (stepped && dot(stepped->position - slid.position, level) > 0) {
@@ -62,6 +65,22 @@ private:
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
         const Vec velocity = slid.planes.nearest_on_foot(result_.velocity, gait_.up);
         result_.velocity = velocity - gait_.up * dot(velocity, gait_.up);
+    }
+
+    void tell_steps_off(const Vec& level) const noexcept {
+        surroundings_.tell([&] {
+            const Ahead ahead =
+                look_ahead(surroundings_, body_, gait_, {0, settings_.step_depth}, result_.position, level);
+            return StepRecord{.position = to_dvec3(result_.position),
+                              .motion = to_dvec3(level),
+                              .point = to_dvec3(ahead.landing.point),
+                              .normal = to_dvec3(ahead.landing.contact_normal),
+                              .value = ahead.is_reached ? ahead.height : 0,
+                              .triangle = ahead.landing.triangle,
+                              .body = ahead.landing.body,
+                              .act = StepAct::step_refused,
+                              .rule = StepRule::steps_off};
+        });
     }
 
     // The level way, led up or down by the plane that is stood on.
