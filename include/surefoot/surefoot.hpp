@@ -4,6 +4,7 @@
 #include <surefoot/barycentrics.hpp>
 #include <surefoot/bounds.hpp>
 #include <surefoot/capture.hpp>
+#include <surefoot/capture_explain.hpp>
 #include <surefoot/character.hpp>
 #include <surefoot/cook.hpp>
 #include <surefoot/debug_draw.hpp>

@@ -16,14 +16,20 @@ double height_of(const Body& body, const Gait& gait) noexcept {
     return body.foot + reach_along(body.volume, gait.up);
 }
 
+// How far below the body's position is what it stands on.
+double stands_on(const Body& body, const Gait& gait) noexcept {
+    return reach_along(body.kept_off, -gait.up) - dot(body.shift, gait.up);
+}
+
 // One more step, as high as this.
 class Look {
 public:
-    Look(const Surroundings& surroundings, const Body& body, const Gait& gait, const StepSettings& settings,
-         const Vec& position, const Vec& level) noexcept
+    Look(const Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+         const StepSettings& settings, const Vec& position, const Vec& level) noexcept
         : own_(surroundings.world(), surroundings.query(), nullptr),
           body_(body),
           gait_(gait),
+          rule_{rule.perch_distance, {}},
           position_(position),
           ahead_(level / length(level)),
           probe_(larger(length(level), settings.step_depth)) {}
@@ -33,27 +39,37 @@ public:
         const Raised raised = raise(own_, body_, gait_, position_, height);
         const Vec place = slide(own_, body_, gait_, raised.position, ahead_ * probe_, {}).position;
         if (dot(place - raised.position, ahead_) <= gait_.skin) return raised.height;
-        const Ground landing = ground_under(own_, body_, gait_, {body_.half_width, {}}, place, raised.height);
-        const double risen = dot(place - position_, gait_.up) - landing.distance;
-        if (landing.footing == Footing::air || risen <= 0) return raised.height;
-        found = {risen, true, landing};
+        Ground landing = ground_under(own_, body_, gait_, rule_, place, raised.height);
+        const double higher = dot(landing.point - position_, gait_.up) + stands_on(body_, gait_);
+        if (landing.footing != Footing::ground || higher <= 0) return raised.height;
+        name_surface(landing);
+        found = {higher, true, landing};
         return raised.height;
     }
 
     // How high the first thing ahead is, seen from the height of the head.
     double height_by_ray() noexcept {
         const double tall = height_of(body_, gait_);
-        const Vec foot = position_ - gait_.up * body_.foot;
+        const Vec foot = position_ - gait_.up * stands_on(body_, gait_);
         const Vec beside = foot + ahead_ * (body_.half_width + 4 * gait_.skin);
-        const auto hit =
-            own_.world().ray({to_dvec3(beside + gait_.up * tall), to_dvec3(beside)}, own_.query());
+        const auto hit = own_.world().ray({to_dvec3(beside + gait_.up * tall), to_dvec3(beside)}, own_.query());
         return hit && hit->status == HitStatus::ok ? (1 - hit->t) * tall : 0;
     }
 
 private:
+    // Resting on an edge it stands on what is behind the edge, and not on what is below it.
+    void name_surface(Ground& landing) const noexcept {
+        const Vec over = landing.point + (gait_.up + ahead_) * (2 * gait_.skin);
+        const auto hit = own_.world().ray({to_dvec3(over), to_dvec3(over - gait_.up * (4 * gait_.skin))}, own_.query());
+        if (!hit || hit->status != HitStatus::ok) return;
+        landing.triangle = hit->triangle;
+        landing.body = hit->body;
+    }
+
     Surroundings own_;
     const Body& body_;
     const Gait& gait_;
+    GroundRule rule_;
     Vec position_;
     Vec ahead_;
     double probe_;
@@ -61,11 +77,11 @@ private:
 
 }  // namespace
 
-Ahead look_ahead(const Surroundings& surroundings, const Body& body, const Gait& gait, const StepSettings& settings,
-                 const Vec& position, const Vec& level) noexcept {
+Ahead look_ahead(const Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                 const StepSettings& settings, const Vec& position, const Vec& level) noexcept {
     Ahead found;
     if (!(length(level) > 0)) return found;
-    Look look(surroundings, body, gait, settings, position, level);
+    Look look(surroundings, body, gait, rule, settings, position, level);
     double height = larger(settings.step_up, 0x1p-4 * height_of(body, gait));
     for (int i = 0; i < most_looks && !found.is_reached; ++i) {
         height *= 2;

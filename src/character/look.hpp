@@ -16,14 +16,15 @@ struct Refusal {
 
 /// What is ahead of a body that something blocks.
 struct Ahead {
-    double height = 0;        ///< how much higher it is than where the body stands [m]; 0 if that is not known
+    double height = 0;        ///< how much higher it is than what is stood on [m]; 0 if that is not known
     bool is_reached = false;  ///< a body that steps so high stands there
     Ground landing;           ///< what it stands on, if it is reached
 };
 
 /// Looks with ever higher steps, and where there is no head room for them, with a ray.
 [[nodiscard]] Ahead look_ahead(const Surroundings& surroundings, const Body& body, const Gait& gait,
-                               const StepSettings& settings, const Vec& position, const Vec& level) noexcept;
+                               const GroundRule& rule, const StepSettings& settings, const Vec& position,
+                               const Vec& level) noexcept;
 
 /// The ground below, however steep, down to a few times the body's height; in the air if there is none.
 [[nodiscard]] Ground look_down(const Surroundings& surroundings, const Body& body, const Gait& gait,

@@ -6,15 +6,17 @@ namespace surefoot::internal {
 
 namespace {
 
-// What is told instead of "no room" or "no advance" where the reason can be found: only the trace wants to know it.
-Refusal reason_of(const Surroundings& surroundings, const Body& body, const Gait& gait, const StepSettings& settings,
-                  const Vec& position, const Vec& level, double raised, const Refusal& found) noexcept {
+// The reason behind a refusal, if one is found: what looks like too far out on an edge, from as high as there is room
+// or as a step may be, may only be too high. Only the trace wants to know it.
+Refusal reason_of(const Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                  const StepSettings& settings, const Vec& position, const Vec& level, double raised,
+                  const Refusal& found) noexcept {
     if (!surroundings.is_traced()) return found;
-    const Ahead ahead = look_ahead(surroundings, body, gait, settings, position, level);
+    const Ahead ahead = look_ahead(surroundings, body, gait, rule, settings, position, level);
     const bool lacks_room = raised < settings.step_up - gait.skin && raised < ahead.height;
     if (lacks_room) return {StepRule::head_room, raised, ahead.height, ahead.landing};
-    if (ahead.is_reached) return {StepRule::step_height, ahead.height, settings.step_up, ahead.landing};
-    return found;
+    const bool is_too_high = ahead.is_reached && ahead.height > settings.step_up;
+    return is_too_high ? Refusal{StepRule::step_height, ahead.height, settings.step_up, ahead.landing} : found;
 }
 
 }  // namespace
@@ -55,12 +57,12 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     };
     tell(StepAct::step_tried, StepRule::none, settings.step_up, settings.step_depth);
     const Raised raised = raise(surroundings, body, gait, position, settings.step_up);
-    const auto refuse_for_want = [&](StepRule decided, double value, double limit) noexcept {
-        const Refusal why =
-            reason_of(surroundings, body, gait, settings, position, level, raised.height, {decided, value, limit, {}});
+    const auto refuse_or_why = [&](StepRule decided, double value, double limit, const Ground& at = {}) noexcept {
+        const Refusal why = reason_of(surroundings, body, gait, rule, settings, position, level, raised.height,
+                                      {decided, value, limit, at});
         return refuse(why.rule, why.value, why.limit, why.at);
     };
-    if (raised.height <= gait.skin) return refuse_for_want(StepRule::head_room, raised.height, settings.step_up);
+    if (raised.height <= gait.skin) return refuse_or_why(StepRule::head_room, raised.height, settings.step_up);
     const auto forward = [&](double length) noexcept {
         return slide(surroundings, body, gait, raised.position, ahead * length, {}).position;
     };
@@ -70,11 +72,11 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     // The question: is there ground ahead, higher than here? What is reached may lie beside, along a wall.
     const Vec probe = forward(larger(way, settings.step_depth));
     const double advance = dot(probe - raised.position, ahead);
-    if (advance <= gait.skin) return refuse_for_want(StepRule::no_advance, advance, gait.skin);
+    if (advance <= gait.skin) return refuse_or_why(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
     const double risen = dot(probe - position, gait.up) - landing.distance;
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
-    if (landing.footing != Footing::ground) return refuse(landing.rule, landing.value, landing.limit, landing);
+    if (landing.footing != Footing::ground) return refuse_or_why(landing.rule, landing.value, landing.limit, landing);
     if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);
     if (risen > settings.step_up + gait.skin) return refuse(StepRule::step_height, risen, settings.step_up, landing);
     // The way.

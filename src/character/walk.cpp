@@ -70,7 +70,7 @@ private:
     void tell_steps_off(const Vec& level) const noexcept {
         surroundings_.tell([&] {
             const Ahead ahead =
-                look_ahead(surroundings_, body_, gait_, {0, settings_.step_depth}, result_.position, level);
+                look_ahead(surroundings_, body_, gait_, rule_, {0, settings_.step_depth}, result_.position, level);
             return StepRecord{.position = to_dvec3(result_.position),
                               .motion = to_dvec3(level),
                               .point = to_dvec3(ahead.landing.point),
