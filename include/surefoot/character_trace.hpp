@@ -50,6 +50,7 @@ enum class StepRule : std::uint8_t {
     not_higher,      ///< ground ahead is no higher than here
     snap_distance,   ///< the ground is `value` below, 0 if there is none near, and `limit` is followed [m]
     perch_distance,  ///< what holds it is `value` from its axis, and `limit` is allowed [m]
+    slippery,        ///< the surface's rule says that nobody stands on it
     steps_off,       ///< steps are switched off; what is ahead is `value` higher, 0 if it is not known [m]
     coyote_time,     ///< it is `value` since it was on ground, and `limit` is allowed [s]
 };

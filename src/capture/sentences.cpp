@@ -93,6 +93,8 @@ std::string Speaker::no_step(const StepRecord& record) const {
             return joined({"No step there: what it would stand on, ", name(record), ", ", slope(record), "."});
         case StepRule::perch_distance:
             return joined({"No step there: ", name(record), " ", perch(record), "."});
+        case StepRule::slippery:
+            return joined({"No step there: what it would stand on, ", name(record), ", is slippery."});
         case StepRule::no_advance:
             return joined({"No step there: raised by step_up, ", step_up, " m, it gets no farther."});
         case StepRule::not_higher:
@@ -115,6 +117,9 @@ std::string Speaker::no_ground(const StepRecord& record) const {
     if (record.rule == StepRule::perch_distance) {
         return joined({"It does not stand on ", name(record), ": it ", perch(record), "."});
     }
+    if (record.rule == StepRule::slippery) {
+        return joined({"It does not stand on ", name(record), ": its surface is slippery."});
+    }
     return {};
 }
 
@@ -129,6 +134,8 @@ std::string Speaker::left_ground(const StepRecord& record) const {
                            " lower, and snap_down is ", short_text(record.limit), "."});
         case StepRule::slope_limit:
             return joined({"It left the ground: what is below, ", name(record), ", ", slope(record), "."});
+        case StepRule::slippery:
+            return joined({"It left the ground: what is below, ", name(record), ", is slippery."});
         case StepRule::perch_distance:
             return joined({"It left the ground: ", name(record), " ", perch(record), "."});
         default:

@@ -35,7 +35,17 @@ void visit_fields(T& s, const Visit& visit) {
     visit("jump_buffer", s.jump_buffer);
     visit("keeps_ground_velocity", s.keeps_ground_velocity);
     visit("air_jumps", s.air_jumps);
+    visit("surfaces", s.surfaces);
     visit("longest_tick", s.longest_tick);
+}
+
+template <Either<SurfaceRule> T, typename Visit>
+void visit_fields(T& rule, const Visit& visit) {
+    visit("grip", rule.grip);
+    visit("conveyor", rule.conveyor);
+    visit("one_way", rule.one_way);
+    visit("slippery", rule.slippery);
+    visit("ladder", rule.ladder);
 }
 
 template <Either<CharacterInput> T, typename Visit>
@@ -88,7 +98,7 @@ void visit_fields(T& record, const Visit& visit) {
 }
 
 // Whoever adds a field here adds it above.
-static_assert(sizeof(CharacterSettings) == 208 && sizeof(CharacterInput) == 80 && sizeof(CharacterState) == 136 &&
-              sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128);
+static_assert(sizeof(CharacterSettings) == 224 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
+              sizeof(CharacterState) == 136 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128);
 
 }  // namespace surefoot::internal

@@ -39,4 +39,8 @@ struct GroundRule {
 [[nodiscard]] Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& gait,
                                   const GroundRule& rule, const Vec& position, double depth) noexcept;
 
+/// Held by steep things on all sides, as in a funnel or between walls, a body cannot go down: then it stands.
+void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
+                     Ground& ground) noexcept;
+
 }  // namespace surefoot::internal

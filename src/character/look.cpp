@@ -26,7 +26,7 @@ class Look {
 public:
     Look(const Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
          const StepSettings& settings, const Vec& position, const Vec& level) noexcept
-        : own_(surroundings.world(), surroundings.query(), nullptr),
+        : own_(surroundings.beside()),
           body_(body),
           gait_(gait),
           rule_{rule.perch_distance, {}},
@@ -99,7 +99,7 @@ Ahead look_ahead(const Surroundings& surroundings, const Body& body, const Gait&
 }
 
 Ground look_down(const Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position) noexcept {
-    Surroundings own(surroundings.world(), surroundings.query(), nullptr);
+    Surroundings own = surroundings.beside();
     return ground_under(own, body, gait, {body.half_width, {}}, position, depths * height_of(body, gait));
 }
 

@@ -40,9 +40,7 @@ public:
                 return result_;
             }
             tell({.motion = to_dvec3(motion), .act = StepAct::pass});
-            const Vec before = result_.position;
-            if (go(motion)) return result_;
-            if (gait_.stops && !(before == result_.position)) return result_;
+            if (go(motion) || gait_.stops) return result_;
         }
         return result_;
     }
@@ -102,8 +100,14 @@ private:
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
     bool leap(const Vec& motion, double way) noexcept {
         const Vec from = result_.position + body_.shift;
-        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)},
-                                                     surroundings_.query());
+        // One-way surfaces are none to what rises.
+        const bool rises = dot(motion, gait_.up) > 0;
+        const auto exists = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !(rises && surroundings_.rule_of(surface).one_way);
+        };
+        WorldQuery query = surroundings_.query();
+        query.triangles = BodyTriangleFilter(exists);
+        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
         if (!hit) {
             result_.position = result_.position + motion;
             return true;
@@ -145,7 +149,7 @@ private:
     // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, 0.5 * gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {

@@ -32,7 +32,8 @@ public:
           dt_(tick * (part.end - part.begin)),
           up_(to_vec(input.up) / length(to_vec(input.up))),
           body_(body_of(settings, up_)),
-          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, trace) {
+          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, settings.surfaces, settings.skin,
+                        trace) {
         result_.state = state;
         gait_.up = up_;
         gait_.least_ground_up = cosine_deg(settings.slope_limit_deg);
@@ -133,6 +134,7 @@ private:
         const GroundRule rule{settings_.perch_distance, direction(level(to_vec(input_.wish))), settings_.snap_down};
         const double depth = was_standing ? settings_.snap_down + settings_.skin : touching * settings_.skin;
         ground_ = ground_under(surroundings_, body_, gait_, rule, position_, depth);
+        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
         standing_ = ground_.footing == Footing::ground;
         tell(standing_ ? StepAct::ground : StepAct::no_ground, ground_, ground_.distance);
         if (dot(to_vec(input_.impulse), up_) > 0) standing_ = false;
@@ -169,8 +171,10 @@ private:
     void go_on_foot() noexcept {
         const Vec wish = level(to_vec(input_.wish));
         const Vec before = level(velocity_);
+        const SurfaceRule rule = settings_.surfaces[ground_.surface];
         const double rate = dot(wish, wish) < dot(before, before) ? settings_.braking : settings_.acceleration;
-        const Travel travel = accelerate(before, wish, rate, dt_);
+        Travel travel = accelerate(before, wish, rate * rule.grip, dt_);
+        travel.way = travel.way + level(conveyor_velocity(rule)) * dt_;
         tell({.motion = to_dvec3(travel.way), .act = StepAct::wants});
         Gait on_foot = gait_;
         on_foot.on_foot = true;
@@ -229,6 +233,15 @@ private:
         return settings_.keeps_ground_velocity ? to_vec(result_.state.ground_velocity) : Vec{};
     }
 
+    Vec conveyor_velocity(const SurfaceRule& rule) const noexcept {
+        const Vec belt = to_vec(rule.conveyor);
+        const World& world = surroundings_.world();
+        const BodyHandle handle = world.find(ground_.body);
+        if (belt == Vec{} || !world.contains(handle)) return {};
+        const Pose pose = world.poses(handle).end;
+        return to_vec(to_world(pose, rule.conveyor)) - to_vec(pose.position);
+    }
+
     // How fast the ground under it moves.
     Vec velocity_of(const Ground& ground) const noexcept {
         const World& world = surroundings_.world();
@@ -246,6 +259,7 @@ private:
         }
         const GroundRule rule{settings_.perch_distance, {}};
         ground_ = ground_under(surroundings_, body_, gait_, rule, position_, touching * settings_.skin);
+        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
         if (ground_.footing != Footing::ground) return;
         standing_ = true;
         state().is_jumping = 0;

@@ -93,11 +93,12 @@ private:
 
     void settle() noexcept {
         const double depth = settings_.snap_down + gait_.skin;
-        const Ground ground = ground_under(surroundings_, body_, gait_, rule_, result_.position, depth);
+        Ground ground = ground_under(surroundings_, body_, gait_, rule_, result_.position, depth);
         if (!ground.trusted) {
             result_.overflow = true;
             return;  // where it is it was standing before
         }
+        stand_if_wedged(surroundings_, body_, gait_, result_.position, ground);
         result_.ground = ground;
         if (ground.footing != Footing::ground) return;
         if (ground.distance <= resting * gait_.skin) return;
