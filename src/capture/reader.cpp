@@ -100,12 +100,19 @@ bool JsonReader::null() {
     return true;
 }
 
+bool JsonReader::empty_array() {
+    const std::size_t begin = at_;
+    if (good() && take_if('[') && take_if(']')) return true;
+    at_ = begin;
+    return false;
+}
+
 void JsonReader::end() {
     skip_space();
     if (at_ != text_.size()) fail("nothing may follow the last brace");
 }
 
-std::size_t JsonReader::member_name(std::span<const std::string_view> names, std::uint32_t seen) {
+std::size_t JsonReader::member_name(std::span<const std::string_view> names, std::uint64_t seen) {
     skip_space();
     const std::size_t begin = at_;
     const std::string name = text();
