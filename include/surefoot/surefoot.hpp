@@ -5,6 +5,7 @@
 #include <surefoot/bounds.hpp>
 #include <surefoot/capture.hpp>
 #include <surefoot/capture_explain.hpp>
+#include <surefoot/capture_session.hpp>
 #include <surefoot/capture_step.hpp>
 #include <surefoot/character.hpp>
 #include <surefoot/cook.hpp>

@@ -19,6 +19,7 @@ void read_triangles(JsonReader& in, std::vector<CapturedTriangle>& triangles);
 /// Questions have not changed since the first form; steps came with the second.
 inline constexpr std::uint32_t question_form = 1;
 inline constexpr std::uint32_t step_form = 2;
+inline constexpr std::uint32_t session_form = 1;  ///< of a file of its own kind
 
 /// The number of the file's form, which is to be one of these.
 [[nodiscard]] std::uint32_t read_format(JsonReader& in, std::uint32_t oldest, std::uint32_t newest);

@@ -177,6 +177,19 @@ std::uint32_t JsonReader::whole_number() {
     return value;
 }
 
+std::uint64_t JsonReader::bits() {
+    skip_space();
+    const std::size_t begin = at_;
+    const std::string word = text();
+    std::uint64_t value = 0;
+    const char* const last = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), last, value, 16);
+    if (word.size() == 16 && read.ec == std::errc() && read.ptr == last) return value;
+    at_ = good() ? begin : at_;
+    fail("16 hexadecimal digits in quotes must be here");
+    return 0;
+}
+
 bool JsonReader::yes() {
     skip_space();
     for (const auto& [word, value] : {std::pair<std::string_view, bool>{"true", true}, {"false", false}}) {

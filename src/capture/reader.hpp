@@ -63,6 +63,7 @@ public:
 
     [[nodiscard]] double number();
     [[nodiscard]] std::uint32_t whole_number();
+    [[nodiscard]] std::uint64_t bits();  ///< 16 hexadecimal digits, in quotes
     [[nodiscard]] bool yes();
     [[nodiscard]] std::string text();
     [[nodiscard]] dvec3 vector();

@@ -114,7 +114,7 @@ void write_answer(Writer& w, const std::optional<Hit>& hit) {
 std::string capture_text(const Capture& capture) {
     const IeeeGuard guard;
     Writer w;
-    write_origin(w, capture.origin, question_form, capture.note);
+    write_origin(w, "surefoot_capture", question_form, capture.origin, capture.note);
     write_question(w, capture.question, !capture.bodies.empty());
     write_answer(w, capture.answer);
     if (!capture.bodies.empty()) {

@@ -12,7 +12,7 @@ using namespace internal;
 std::string capture_text(const StepCapture& capture) {
     const IeeeGuard guard;
     Writer w;
-    write_origin(w, capture.origin, step_form, capture.note);
+    write_origin(w, "surefoot_capture", step_form, capture.origin, capture.note);
     w.word("  \"step\": {\n    \"settings\": ");
     write_fields(w, settings_of(capture), "\n      ");
     w.word(",\n    \"input\": ");

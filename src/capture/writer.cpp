@@ -116,8 +116,11 @@ void write_triangle(Writer& w, const CapturedTriangle& one) {
     w.word("}");
 }
 
-void write_origin(Writer& w, const CaptureOrigin& origin, std::uint32_t form, std::string_view note) {
-    w.word("{\n  \"surefoot_capture\": ");
+void write_origin(Writer& w, std::string_view kind, std::uint32_t form, const CaptureOrigin& origin,
+                  std::string_view note) {
+    w.word("{\n  \"");
+    w.word(kind);
+    w.word("\": ");
     w.number(form);
     const Version& library = origin.library;
     w.word(",\n  \"library\": \"");

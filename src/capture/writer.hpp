@@ -28,6 +28,12 @@ public:
     }
     void list(const dvec3& v) { list(v.x, v.y, v.z); }
     void list(const dquat& q) { list(q.w, q.x, q.y, q.z); }
+    /// In quotes, 16 hexadecimal digits.
+    void bits(std::uint64_t value) {
+        out_ += '"';
+        append_bits(out_, value);
+        out_ += '"';
+    }
     void yes(bool value) { out_ += value ? "true" : "false"; }
     /// In quotes. What is no UTF-8 becomes question marks, so that the file is JSON for everyone.
     void text(std::string_view text);
@@ -41,8 +47,9 @@ void write_body(Writer& w, const CapturedBody& body);
 void write_triangle(Writer& w, const CapturedTriangle& one);
 void write_pose(Writer& w, const Pose& pose);
 
-/// The members that say what wrote the file, and the note.
-void write_origin(Writer& w, const CaptureOrigin& origin, std::uint32_t form, std::string_view note);
+/// The members that say what the file is and what wrote it, and the note.
+void write_origin(Writer& w, std::string_view kind, std::uint32_t form, const CaptureOrigin& origin,
+                  std::string_view note);
 
 /// Replaces the file in one step.
 [[nodiscard]] Expected<void> write_text(std::string_view text, const std::string& path);
