@@ -50,6 +50,7 @@ TEST_F(CliWhy, a_saved_step_is_told_in_words_and_is_the_same) {
     EXPECT_EQ(replay.code, 0) << replay.err;
     EXPECT_TEXT(replay.out, "Note: at the wall");
     EXPECT_TEXT(replay.out, "it wishes for (4, 0, 0) m/s");
+    EXPECT_TEXT(replay.out, " of 1 body. Its story has ");
     EXPECT_TEXT(replay.out, "events: blocked");
     EXPECT_TEXT(replay.out, "Made again: the same, to the last bit.");
     EXPECT_TEXT(replay.out, "It stopped at triangle ");

@@ -22,6 +22,11 @@ std::string events_text(const CharacterEvents& events) {
     return text.empty() ? "none" : text;
 }
 
+std::string counted(std::size_t count, std::string_view one, std::string_view many = {}) {
+    if (count == 1) return fmt::format("1 {}", one);
+    return many.empty() ? fmt::format("{} {}s", grouped(count), one) : fmt::format("{} {}", grouped(count), many);
+}
+
 std::string state_text(const CharacterState& state) {
     const auto footing = static_cast<std::size_t>(state.footing);
     return fmt::format("at ({}), {} m/s, {}", short_vector(state.position), short_number(glm::length(state.velocity)),
@@ -54,9 +59,8 @@ std::string step_report(const std::string& file, const StepCapture& capture, con
     text += fmt::format("A step of {} s: {}, {}; it wishes for ({}) m/s{}.\n", short_number(capture.dt),
                         describe(capture.settings.volume), state_text(capture.before), short_vector(capture.input.wish),
                         capture.input.jump ? " and jumps" : "");
-    text +=
-        fmt::format("Near its way: {} triangles of {} bodies. Its story has {} records.\n",
-                    grouped(capture.triangles.size()), grouped(capture.bodies.size()), grouped(capture.records.size()));
+    text += fmt::format("Near its way: {} of {}. Its story has {}.\n", counted(capture.triangles.size(), "triangle"),
+                        counted(capture.bodies.size(), "body", "bodies"), counted(capture.records.size(), "record"));
     text += "Recorded:\n" + outcome_text(capture.after, capture.events);
     if (again.is_same()) {
         text += "Made again: the same, to the last bit.\n";
