@@ -47,10 +47,15 @@ Any any_step(SplitMix& random, const Course& course) {
     if (random.next() % 2 == 0) any.settings.volume = Capsule{0.4, 0.5};
     if (random.next() % 4 == 0) any.settings.volume = Box{{0.3, 0.9, 0.3}};
     if (random.next() % 5 == 0) any.settings.step_up = 0;
+    if (random.next() % 3 == 0) any.settings.crouched = Sphere{0.4};
+    if (random.next() % 3 == 0) any.settings.in_air = Ellipsoid{{0.4, 0.7, 0.4}};
+    if (random.next() % 2 == 0) any.settings.ledge_reach = 0.3;
     any.settings.surfaces = SurfaceRules(course.rules);
     const double speeds[] = {5, 5, 20, 400};
     const double speed = speeds[random.next() % 4];
-    any.input = {.wish = {random.in(-speed, speed), 0, random.in(-speed, speed)}, .jump = random.next() % 4 == 0};
+    any.input = {.wish = {random.in(-speed, speed), 0, random.in(-speed, speed)},
+                 .jump = random.next() % 4 == 0,
+                 .crouch = random.next() % 4 == 0};
     const double times[] = {1.0 / 60, 1.0 / 1000, 0.1, 0.35};
     any.dt = times[random.next() % 4];
     any.state.position = {random.in(-9, 9), random.in(0.5, 2.5), random.in(-9, 9)};

@@ -9,12 +9,30 @@
 namespace surefoot::tools {
 namespace {
 
-constexpr std::array footings{"in the air", "on ground", "on something too steep"};
+constexpr std::array footings{"in the air", "on ground", "on something too steep", "holding an edge"};
 
 std::string events_text(const CharacterEvents& events) {
-    constexpr std::array names{"jumped",      "landed",        "left ground", "stepped up", "snapped down",
-                               "blocked",     "hit a ceiling", "crushed",     "stuck",      "recovered",
-                               "sub-stepped", "overflow",      "pushed",      "invalid"};
+    constexpr std::array names{"jumped",
+                               "landed",
+                               "left ground",
+                               "stepped up",
+                               "snapped down",
+                               "blocked",
+                               "hit a ceiling",
+                               "crushed",
+                               "stuck",
+                               "recovered",
+                               "sub-stepped",
+                               "overflow",
+                               "pushed",
+                               "dashed",
+                               "climbing",
+                               "no room",
+                               "invalid",
+                               "grabbed a ledge",
+                               "dropped from a ledge",
+                               "climbed a ledge",
+                               "vaulted"};
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if ((events.set >> i & 1U) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", names[i]);

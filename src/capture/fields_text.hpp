@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -23,6 +24,15 @@ namespace surefoot::internal {
 }
 [[nodiscard]] constexpr const auto& words_of(Footing) noexcept {
     return footing_words;
+}
+[[nodiscard]] constexpr const auto& words_of(CharacterMode) noexcept {
+    return mode_words;
+}
+[[nodiscard]] constexpr const auto& words_of(CharacterForm) noexcept {
+    return form_words;
+}
+[[nodiscard]] constexpr const auto& words_of(Hold) noexcept {
+    return hold_words;
 }
 [[nodiscard]] constexpr const auto& words_of(StepAct) noexcept {
     return act_words;
@@ -51,6 +61,10 @@ inline void write_field(Writer& w, const Volume& value) {
     w.word("{");
     write_volume(w, value, ", ");
     w.word("}");
+}
+inline void write_field(Writer& w, const std::optional<Volume>& value) {
+    if (value) return write_field(w, *value);
+    w.word("null");
 }
 inline void write_field(Writer& w, const SurfaceRules& rules) {
     w.word("[");
@@ -122,6 +136,9 @@ private:
             if (i == 0) field.shape = read_shape(in_);
             if (i == 1) field.orientation = in_.turn();
         });
+    }
+    void read_field(std::optional<Volume>& field) {
+        if (!in_.null()) read_field(field.emplace());
     }
     void read_field(SurfaceRules&) {
         in_.array([&] {

@@ -5,6 +5,7 @@
 #include "angle.hpp"
 #include "capture/number.hpp"
 #include "character/body.hpp"
+#include "character/form.hpp"
 
 namespace surefoot::internal {
 
@@ -45,7 +46,7 @@ double angle_deg(double cosine) noexcept {
 Speaker::Speaker(const StepStory& told) noexcept : story(told) {
     const Vec along = to_vec(told.input.up);
     up = along / length(along);
-    body = body_of(told.settings, up);
+    body = body_of(volume_of(told.settings, told.result.state.form), told.settings.skin, up);
 }
 
 std::string Speaker::name(const StepRecord& record) const {
@@ -60,6 +61,16 @@ std::string Speaker::slope(const StepRecord& record) const {
 std::string Speaker::perch(const StepRecord& record) const {
     return joined({"holds it by an edge ", metres(record.value), " from its axis, and perch_distance is ",
                    short_text(record.limit)});
+}
+
+std::string Speaker::ledge(const StepRecord& record) const {
+    if (record.rule == StepRule::slope_limit) {
+        return joined({"It does not hold on to ", name(record), ": that face ", slope(record), "."});
+    }
+    if (record.rule == StepRule::head_room) {
+        return joined({"It does not hold on to ", name(record), ": there is no room for it."});
+    }
+    return joined({"It does not hold on to ", name(record), "."});
 }
 
 std::string Speaker::lie(const StepRecord& record) const {
@@ -170,6 +181,10 @@ std::string Speaker::act(const StepRecord& record) const {
             return left_ground(record);
         case StepAct::landed:
             return joined({"It landed on ", name(record), " with ", short_text(record.value), " m/s."});
+        case StepAct::form_refused:
+            return "It keeps the body that it has: there is no room for another.";
+        case StepAct::ledge_refused:
+            return ledge(record);
         case StepAct::gave_up_rising:
             return joined({"It does not climb ", name(record), " in the air: that face ", slope(record), "."});
         default:

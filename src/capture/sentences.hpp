@@ -31,6 +31,7 @@ struct Speaker {
 
 private:
     [[nodiscard]] std::string slope(const StepRecord& record) const;
+    [[nodiscard]] std::string ledge(const StepRecord& record) const;
     [[nodiscard]] std::string perch(const StepRecord& record) const;
 };
 

@@ -16,11 +16,16 @@ inline constexpr std::array<std::string_view, 3> status_words{"ok", "invalid", "
 
 inline constexpr std::array<std::string_view, 2> response_words{"slide", "stop"};
 inline constexpr std::array<std::string_view, 2> slope_speed_words{"level", "along"};
-inline constexpr std::array<std::string_view, 3> footing_words{"air", "ground", "steep"};
-inline constexpr std::array<std::string_view, 24> act_words{
-    "carried",      "recovered",      "wants",  "pass",        "touch",        "obeyed",     "passed_over", "seam",
-    "wall",         "gave_up_rising", "rested", "step_tried",  "step_refused", "stepped_up", "ground",      "no_ground",
-    "snapped_down", "jumped",         "landed", "left_ground", "jump_refused", "crushed",    "stuck",       "overflow"};
+inline constexpr std::array<std::string_view, 4> footing_words{"air", "ground", "steep", "ledge"};
+inline constexpr std::array<std::string_view, 3> mode_words{"walk", "swim", "fly"};
+inline constexpr std::array<std::string_view, 4> form_words{"standing", "crouched", "in_air", "on_ramp"};
+inline constexpr std::array<std::string_view, 3> hold_words{"none", "hanging", "climbing"};
+inline constexpr std::array<std::string_view, 29> act_words{
+    "carried",      "recovered",     "wants",        "pass",           "touch",        "obeyed",
+    "passed_over",  "seam",          "wall",         "gave_up_rising", "rested",       "step_tried",
+    "step_refused", "stepped_up",    "ground",       "no_ground",      "snapped_down", "jumped",
+    "landed",       "left_ground",   "jump_refused", "changed_form",   "form_refused", "ledge_wall",
+    "ledge_edge",   "ledge_refused", "crushed",      "stuck",          "overflow"};
 inline constexpr std::array<std::string_view, 11> rule_words{
     "none",          "slope_limit",    "step_height", "head_room", "no_advance", "not_higher",
     "snap_distance", "perch_distance", "slippery",    "steps_off", "coyote_time"};

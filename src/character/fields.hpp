@@ -16,6 +16,9 @@ concept Either = std::same_as<std::remove_const_t<T>, Struct>;
 template <Either<CharacterSettings> T, typename Visit>
 void visit_fields(T& s, const Visit& visit) {
     visit("volume", s.volume);
+    visit("crouched", s.crouched);
+    visit("in_air", s.in_air);
+    visit("on_ramp", s.on_ramp);
     visit("skin", s.skin);
     visit("slope_limit_deg", s.slope_limit_deg);
     visit("step_up", s.step_up);
@@ -35,6 +38,21 @@ void visit_fields(T& s, const Visit& visit) {
     visit("jump_buffer", s.jump_buffer);
     visit("keeps_ground_velocity", s.keeps_ground_velocity);
     visit("air_jumps", s.air_jumps);
+    visit("wall_slide_speed", s.wall_slide_speed);
+    visit("wall_jump_speed", s.wall_jump_speed);
+    visit("wall_coyote_time", s.wall_coyote_time);
+    visit("dash_speed", s.dash_speed);
+    visit("dash_time", s.dash_time);
+    visit("dash_pause", s.dash_pause);
+    visit("swim_acceleration", s.swim_acceleration);
+    visit("sink_speed", s.sink_speed);
+    visit("fly_acceleration", s.fly_acceleration);
+    visit("ladder_speed", s.ladder_speed);
+    visit("ledge_reach", s.ledge_reach);
+    visit("hands_height", s.hands_height);
+    visit("climb_speed", s.climb_speed);
+    visit("shimmy_speed", s.shimmy_speed);
+    visit("vault_height", s.vault_height);
     visit("surfaces", s.surfaces);
     visit("longest_tick", s.longest_tick);
 }
@@ -54,6 +72,9 @@ void visit_fields(T& input, const Visit& visit) {
     visit("impulse", input.impulse);
     visit("up", input.up);
     visit("jump", input.jump);
+    visit("crouch", input.crouch);
+    visit("dash", input.dash);
+    visit("mode", input.mode);
 }
 
 template <Either<CharacterState> T, typename Visit>
@@ -64,6 +85,11 @@ void visit_fields(T& state, const Visit& visit) {
     visit("ground_velocity", state.ground_velocity);
     visit("since_ground", state.since_ground);
     visit("since_jump_press", state.since_jump_press);
+    visit("since_wall", state.since_wall);
+    visit("since_dash", state.since_dash);
+    visit("wall_normal", state.wall_normal);
+    visit("ledge_point", state.ledge_point);
+    visit("since_hold", state.since_hold);
     visit("ground_body", state.ground_body);
     visit("ground_triangle", state.ground_triangle);
     visit("ground_surface", state.ground_surface);
@@ -71,6 +97,9 @@ void visit_fields(T& state, const Visit& visit) {
     visit("footing", state.footing);
     visit("jump_held", state.jump_held);
     visit("is_jumping", state.is_jumping);
+    visit("dash_held", state.dash_held);
+    visit("form", state.form);
+    visit("hold", state.hold);
 }
 
 template <Either<CharacterEvents> T, typename Visit>
@@ -98,7 +127,7 @@ void visit_fields(T& record, const Visit& visit) {
 }
 
 // Whoever adds a field here adds it above.
-static_assert(sizeof(CharacterSettings) == 224 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
-              sizeof(CharacterState) == 136 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128);
+static_assert(sizeof(CharacterSettings) == 560 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
+              sizeof(CharacterState) == 208 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128);
 
 }  // namespace surefoot::internal

@@ -11,7 +11,7 @@ inline namespace v0 {
 
 std::uint64_t hash(const CharacterState& state) noexcept {
     const internal::IeeeGuard guard;
-    std::uint64_t words[32];
+    std::uint64_t words[sizeof(CharacterState)];
     std::size_t count = 0;
     internal::visit_fields(state, [&](const char*, const auto& field) {
         using Field = std::remove_cvref_t<decltype(field)>;

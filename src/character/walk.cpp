@@ -51,26 +51,28 @@ private:
         result_.met_ceiling = result_.met_ceiling || slid.met_ceiling;
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
-        const bool is_walled = !(slid.wall.normal == Vec{}) && dot(slid.wall.normal, level) < 0;
-        if (is_walled && !(settings_.step_up > 0)) tell_steps_off(level);
-        if (is_walled && settings_.step_up > 0) {
-            const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_,
-                                                   {settings_.step_up, settings_.step_depth}, from, level);
-            if (stepped && dot(stepped->position - slid.position, level) > 0) {
-                result_.position = stepped->position;
-                result_.stepped_up = true;
-                return;
-            }
+        if (slid.wall_count > 0 && !(settings_.step_up > 0)) tell_steps_off(slid.walls[0].normal, level);
+        for (std::size_t i = 0; i < slid.wall_count && settings_.step_up > 0; ++i) {
+            if (dot(slid.walls[i].normal, level) >= 0) continue;
+            const auto stepped =
+                internal::step_up(surroundings_, body_, gait_, rule_, {settings_.step_up, settings_.step_depth}, from,
+                                  level, slid.walls[i].normal);
+            if (!stepped || dot(stepped->position - slid.position, level) <= 0) continue;
+            result_.position = stepped->position;
+            result_.stepped_up = true;
+            return;
         }
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
         const Vec velocity = slid.planes.nearest_on_foot(result_.velocity, gait_.up);
         result_.velocity = velocity - gait_.up * dot(velocity, gait_.up);
     }
 
-    void tell_steps_off(const Vec& level) const noexcept {
+    void tell_steps_off(const Vec& wall, const Vec& level) const noexcept {
         surroundings_.tell([&] {
+            const Vec out = wall - gait_.up * dot(wall, gait_.up);
+            const Vec towards = out * (dot(out, level) / larger(dot(out, out), 1e-300));
             const Ahead ahead =
-                look_ahead(surroundings_, body_, gait_, rule_, {0, settings_.step_depth}, result_.position, level);
+                look_ahead(surroundings_, body_, gait_, rule_, {0, settings_.step_depth}, result_.position, towards);
             return StepRecord{.position = to_dvec3(result_.position),
                               .motion = to_dvec3(level),
                               .point = to_dvec3(ahead.landing.point),
