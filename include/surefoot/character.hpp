@@ -90,6 +90,10 @@ struct CharacterState {
 
 static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 208);
 
+/// A number for a state: equal states have equal ones, on every machine. Each field counts, 0 and -0 as the same;
+/// `reserved` does not.
+[[nodiscard]] std::uint64_t hash(const CharacterState& state) noexcept;
+
 /// What happened in one tick: a set of these.
 enum class CharacterEvent : std::uint32_t {
     jumped = 1U << 0,        ///< left the ground by a jump, or jumped in the air

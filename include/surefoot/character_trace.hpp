@@ -33,10 +33,11 @@ enum class StepAct : std::uint8_t {
     snapped_down,    ///< followed the ground down by `value` [m]
     jumped,          ///< with `value` upwards [m/s]
     landed,          ///< with `value` downwards [m/s]
-    left_ground,
-    changed_form,   ///< took another of its bodies; the position moved up by `value` [m]
-    form_refused,   ///< there is no room for it
-    ledge_wall,     ///< a ball looked for a wall along `motion`, and met one after `value` of it, or none: 1
+    left_ground,     ///< see `rule`
+    jump_refused,    ///< asked for in the air: see `rule`
+    changed_form,    ///< took another of its bodies; the position moved up by `value` [m]
+    form_refused,    ///< there is no room for it
+    ledge_wall,      ///< a ball looked for a wall along `motion`, and met one after `value` of it, or none: 1
     ledge_edge,     ///< a column was let down behind it by `motion`, and met the top after `value` of it, or nothing: 1
     ledge_refused,  ///< see `rule`
     crushed,
@@ -51,13 +52,14 @@ enum class StepRule : std::uint8_t {
     none,
     slope_limit,     ///< the surface is too steep: its normal's part along `up` is `value`, and `limit` is the least
     step_height,     ///< what is ahead is `value` higher, and `limit` is allowed [m]
-    head_room,       ///< there is room for `value` above it, and it would need `limit` [m]
+    head_room,       ///< there is room for `value` above it, and the step would need `limit` [m]
     no_advance,      ///< raised by the step height it still gets no farther than `value`; `limit` is needed [m]
     not_higher,      ///< ground ahead is no higher than here
-    snap_distance,   ///< the ground is more than `limit` below [m]
+    snap_distance,   ///< the ground is `value` below, 0 if there is none near, and `limit` is followed [m]
     perch_distance,  ///< what holds it is `value` from its axis, and `limit` is allowed [m]
     slippery,        ///< the surface's rule says that nobody stands on it
-    steps_off,       ///< steps are switched off
+    steps_off,       ///< steps are switched off; what is ahead is `value` higher, 0 if it is not known [m]
+    coyote_time,     ///< it is `value` since it was on ground, and `limit` is allowed [s]
 };
 
 /// One line of the story.

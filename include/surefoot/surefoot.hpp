@@ -4,6 +4,9 @@
 #include <surefoot/barycentrics.hpp>
 #include <surefoot/bounds.hpp>
 #include <surefoot/capture.hpp>
+#include <surefoot/capture_explain.hpp>
+#include <surefoot/capture_session.hpp>
+#include <surefoot/capture_step.hpp>
 #include <surefoot/character.hpp>
 #include <surefoot/cook.hpp>
 #include <surefoot/crowd.hpp>

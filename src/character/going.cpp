@@ -1,4 +1,5 @@
 // On foot, through the air, through water, up a ladder: how a wish becomes a way.
+#include "character/look.hpp"
 #include "character/motion.hpp"
 #include "character/tick.hpp"
 #include "character/walk.hpp"
@@ -28,6 +29,16 @@ double slowest_fall(const Tick& tick) noexcept {
                : tick.settings.terminal_speed;
 }
 
+void tell_left_ground(const Tick& tick) noexcept {
+    if (tick.ground.footing == Footing::steep) return tick.tell(StepAct::left_ground, tick.ground);
+    if (!tick.surroundings.is_traced()) return;
+    Ground below = look_down(tick.surroundings, tick.body, tick.gait, tick.position);
+    below.rule = StepRule::snap_distance;
+    below.value = below.distance;
+    below.limit = tick.settings.snap_down;
+    tick.tell(StepAct::left_ground, below);
+}
+
 }  // namespace
 
 void go_on_foot(Tick& tick, double seconds) noexcept {
@@ -54,7 +65,7 @@ void go_on_foot(Tick& tick, double seconds) noexcept {
     tick.standing = false;
     tick.velocity = tick.velocity + left_behind(tick);
     tick.say(CharacterEvent::left_ground);
-    tick.tell(StepAct::left_ground, tick.ground);
+    tell_left_ground(tick);
     const double left = seconds * (1 - walked.done);
     tick.state.since_ground = left;
     if (left > 0) fall(tick, left);

@@ -39,7 +39,12 @@ void jump(Tick& tick) noexcept {
         take_off(tick, speed);
         return;
     }
-    if (state.air_jumps_left == 0) return;
+    if (state.air_jumps_left == 0) {
+        return tick.tell({.value = state.since_ground,
+                          .limit = settings.coyote_time,
+                          .act = StepAct::jump_refused,
+                          .rule = StepRule::coyote_time});
+    }
     --state.air_jumps_left;
     tick.velocity = tick.level(tick.velocity) + tick.up * speed;
     take_off(tick, speed);

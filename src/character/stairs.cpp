@@ -1,15 +1,26 @@
 #include "character/stairs.hpp"
 
+#include "character/look.hpp"
+
 namespace surefoot::internal {
 
 namespace {
 
-struct Raised {
-    Vec position;
-    double height;
-};
+// The reason behind a refusal, if one is found: what looks like too far out on an edge, from as high as there is room
+// or as a step may be, may only be too high. Only the trace wants to know it.
+Refusal reason_of(const Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                  const StepSettings& settings, const Vec& position, const Vec& towards, double raised,
+                  const Refusal& found) noexcept {
+    if (!surroundings.is_traced()) return found;
+    const Ahead ahead = look_ahead(surroundings, body, gait, rule, settings, position, towards);
+    const bool lacks_room = raised < settings.step_up - gait.skin && raised < ahead.height;
+    if (lacks_room) return {StepRule::head_room, raised, ahead.height, ahead.landing};
+    const bool is_too_high = ahead.is_reached && ahead.height > settings.step_up;
+    return is_too_high ? Refusal{StepRule::step_height, ahead.height, settings.step_up, ahead.landing} : found;
+}
 
-// Straight up as far as there is room.
+}  // namespace
+
 Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
              double height) noexcept {
     Gait straight = gait;
@@ -20,8 +31,6 @@ Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, con
     const double risen = dot(top - position, gait.up);
     return {position + gait.up * risen, risen};
 }
-
-}  // namespace
 
 std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
                                  const StepSettings& settings, const Vec& position, const Vec& level,
@@ -51,7 +60,12 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     };
     tell(StepAct::step_tried, StepRule::none, settings.step_up, settings.step_depth);
     const Raised raised = raise(surroundings, body, gait, position, settings.step_up);
-    if (raised.height <= gait.skin) return refuse(StepRule::head_room, raised.height, settings.step_up);
+    const auto refuse_or_why = [&](StepRule decided, double value, double limit, const Ground& at = {}) noexcept {
+        const Refusal why = reason_of(surroundings, body, gait, rule, settings, position, ahead * dot(level, ahead),
+                                      raised.height, {decided, value, limit, at});
+        return refuse(why.rule, why.value, why.limit, why.at);
+    };
+    if (raised.height <= gait.skin) return refuse_or_why(StepRule::head_room, raised.height, settings.step_up);
     const auto forward = [&](const Vec& motion) noexcept {
         return slide(surroundings, body, gait, raised.position, motion, {}).position;
     };
@@ -61,16 +75,16 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     // The question: is there ground ahead, higher than here? What is reached may lie beside, along a wall.
     const Vec probe = forward(ahead * larger(dot(level, ahead), settings.step_depth));
     const double advance = dot(probe - raised.position, ahead);
-    if (advance <= gait.skin) return refuse(StepRule::no_advance, advance, gait.skin);
+    if (advance <= gait.skin) return refuse_or_why(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
     const double risen = dot(probe - position, gait.up) - landing.distance;
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
-    if (landing.footing != Footing::ground) return refuse(landing.rule, landing.value, landing.limit, landing);
+    if (landing.footing != Footing::ground) return refuse_or_why(landing.rule, landing.value, landing.limit, landing);
     if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);
     // What counts is where the ground is, not how far a round body has come up by resting on its edge.
     const double height = dot(landing.point - position, gait.up) + body.foot;
     if (height > settings.step_up + 0.1 * gait.skin) {
-        return refuse(StepRule::step_height, height, settings.step_up, landing);
+        return refuse_or_why(StepRule::step_height, height, settings.step_up, landing);
     }
     // The way.
     const Vec place = forward(level);

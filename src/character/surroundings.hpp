@@ -72,6 +72,9 @@ public:
                  const Neighbours& neighbours, StepTrace* trace) noexcept
         : world_(world), query_(query), rules_(rules), slack_(slack), neighbours_(neighbours), trace_(trace) {}
 
+    /// For questions beside those of the step: the same world and rules, nothing covered, no trace.
+    [[nodiscard]] Surroundings beside() const noexcept { return {world_, query_, rules_, slack_, nullptr}; }
+
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
 
@@ -119,6 +122,8 @@ public:
     void tell(const Make& make) const noexcept {
         if (trace_ != nullptr) trace_->push(make());
     }
+
+    [[nodiscard]] bool is_traced() const noexcept { return trace_ != nullptr; }
 
 private:
     struct Box {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "character/look.hpp"
 #include "character/stairs.hpp"
 
 namespace surefoot::internal {
@@ -50,6 +51,7 @@ private:
         result_.met_ceiling = result_.met_ceiling || slid.met_ceiling;
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
+        if (slid.wall_count > 0 && !(settings_.step_up > 0)) tell_steps_off(slid.walls[0].normal, level);
         for (std::size_t i = 0; i < slid.wall_count && settings_.step_up > 0; ++i) {
             if (dot(slid.walls[i].normal, level) >= 0) continue;
             const auto stepped =
@@ -63,6 +65,24 @@ private:
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
         const Vec velocity = slid.planes.nearest_on_foot(result_.velocity, gait_.up);
         result_.velocity = velocity - gait_.up * dot(velocity, gait_.up);
+    }
+
+    void tell_steps_off(const Vec& wall, const Vec& level) const noexcept {
+        surroundings_.tell([&] {
+            const Vec out = wall - gait_.up * dot(wall, gait_.up);
+            const Vec towards = out * (dot(out, level) / larger(dot(out, out), 1e-300));
+            const Ahead ahead =
+                look_ahead(surroundings_, body_, gait_, rule_, {0, settings_.step_depth}, result_.position, towards);
+            return StepRecord{.position = to_dvec3(result_.position),
+                              .motion = to_dvec3(level),
+                              .point = to_dvec3(ahead.landing.point),
+                              .normal = to_dvec3(ahead.landing.contact_normal),
+                              .value = ahead.is_reached ? ahead.height : 0,
+                              .triangle = ahead.landing.triangle,
+                              .body = ahead.landing.body,
+                              .act = StepAct::step_refused,
+                              .rule = StepRule::steps_off};
+        });
     }
 
     // The level way, led up or down by the plane that is stood on.
