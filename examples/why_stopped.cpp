@@ -46,7 +46,7 @@ int main(int count, char** arguments) {
     // [why]
     std::vector<surefoot::StepRecord> records(1024);  // a usual step has a few dozen
     surefoot::StepTrace trace(records);
-    const surefoot::StepResult result = surefoot::step(world, settings, input, dt, state, &trace);
+    const surefoot::StepResult result = surefoot::step(world, settings, input, dt, state, {}, &trace);
     const surefoot::StepStory story{.settings = settings,
                                     .input = input,
                                     .dt = dt,

@@ -36,7 +36,7 @@ Played play(const Stage& stage, const CharacterSettings& settings) {
         if (i >= waits) input = {.wish = stage.wish, .jump = stage.jumps};
         StepTrace trace(room);
         StepStory story{settings, input, actor.dt, actor.state, {}, {}, 0};
-        story.result = step(world, settings, input, actor.dt, actor.state, &trace);
+        story.result = step(world, settings, input, actor.dt, actor.state, {}, &trace);
         story.records = trace.records();
         actor.state = story.result.state;
         actor.events |= story.result.events.set;

@@ -13,7 +13,7 @@ std::string told(const World& world, Actor& actor, const CharacterInput& input =
     std::vector<StepRecord> room(4096);
     StepTrace trace(room);
     StepStory story{actor.settings, input, actor.dt, actor.state, {}, {}, 0};
-    story.result = step(world, actor.settings, input, actor.dt, actor.state, &trace);
+    story.result = step(world, actor.settings, input, actor.dt, actor.state, {}, &trace);
     story.records = trace.records();
     actor.state = story.result.state;
     return explain_text(story);
@@ -107,7 +107,7 @@ TEST(Why, ATraceThatIsTooSmallSaysHowMuchIsMissing) {
     StepRecord room[2];
     StepTrace trace(room);
     StepStory story{actor.settings, {.wish = {3, 0, 0}}, actor.dt, actor.state, {}, {}, 0};
-    story.result = step(world, actor.settings, story.input, actor.dt, actor.state, &trace);
+    story.result = step(world, actor.settings, story.input, actor.dt, actor.state, {}, &trace);
     story.records = trace.records();
     story.dropped = trace.dropped();
     EXPECT_GT(story.dropped, 0U);
@@ -133,7 +133,7 @@ TEST(Why, ATraceChangesNoBitOfAnyStep) {
             if (i % 20 == 0) input = {.wish = {random.in(-8, 8), 0, random.in(-8, 8)}, .jump = random.next() % 3 == 0};
             plain.tick(world, input);
             StepTrace trace(room);
-            traced.state = step(world, traced.settings, input, traced.dt, traced.state, &trace).state;
+            traced.state = step(world, traced.settings, input, traced.dt, traced.state, {}, &trace).state;
             ASSERT_EQ(plain.state, traced.state) << walk << " tick " << i;
         }
     }

@@ -67,7 +67,7 @@ StepCapture capture_step(const World& world, const CharacterSettings& settings, 
     for (std::size_t room = usual_records;;) {
         capture.records.resize(room);
         StepTrace trace(capture.records);
-        const StepResult result = step(listening.world, settings, input, dt, state, &trace);
+        const StepResult result = step(listening.world, settings, input, dt, state, {}, &trace);
         room = trace.records().size() + trace.dropped();
         capture.records.resize(trace.records().size());
         capture.after = result.state;

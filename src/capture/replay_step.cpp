@@ -50,7 +50,7 @@ StepReplay replay(const StepCapture& capture) {
             again.records.resize(room);
             StepTrace trace(again.records);
             again.result =
-                step(captured.get(), settings_of(capture), capture.input, capture.dt, capture.before, &trace);
+                step(captured.get(), settings_of(capture), capture.input, capture.dt, capture.before, {}, &trace);
             room = trace.records().size() + trace.dropped();
             again.records.resize(trace.records().size());
             if (trace.dropped() == 0) break;
