@@ -35,8 +35,8 @@ struct StepSentence {
 
 /// Why a step went as it did: why the character stopped or was slowed, why there was no step, why it left the ground,
 /// slid or did not jump. In the order in which things happened; at least one sentence. A pure function of the story.
-/// What is guaranteed of a sentence that names a setting: with that setting beyond the number that is told, by a
-/// hundredth of it, this rule decides the other way.
+/// A sentence that names a setting and the number that was held against it: with the setting past that number, by a
+/// degree or a centimetre, this rule decides the other way (tests/why_stops_test.cpp). Another one may still refuse.
 [[nodiscard]] std::vector<StepSentence> explain(const StepStory& story);
 
 /// The same as one text, a sentence or two a line.
