@@ -62,8 +62,8 @@ public:
             const double depth = i + 1 == steps ? 10 : tread;
             quad({x, i * rise, -half_width}, {x, i * rise, half_width}, {x, (i + 1) * rise, half_width},
                  {x, (i + 1) * rise, -half_width});
-            quad({x, (i + 1) * rise, -half_width}, {x, (i + 1) * rise, half_width}, {x + depth, (i + 1) * rise, half_width},
-                 {x + depth, (i + 1) * rise, -half_width});
+            quad({x, (i + 1) * rise, -half_width}, {x, (i + 1) * rise, half_width},
+                 {x + depth, (i + 1) * rise, half_width}, {x + depth, (i + 1) * rise, -half_width});
         }
         return *this;
     }

@@ -38,13 +38,13 @@ enum class Footing : std::uint8_t {
 
 /// All that a character is between two ticks: plain, and equal if and only if its bytes are.
 struct CharacterState {
-    dvec3 position{0, 0, 0};           ///< of the reference point [m]
-    dvec3 velocity{0, 0, 0};           ///< in the world [m/s]
-    dvec3 ground_normal{0, 0, 0};      ///< of what carries it, in the world; zero in the air
-    dvec3 ground_velocity{0, 0, 0};    ///< how fast that moves where it is stood on [m/s]
-    double since_ground = 1e9;         ///< time since it was last on ground [s]
-    double since_jump_press = 1e9;     ///< time since `jump` was pressed and not yet answered [s]
-    std::uint32_t ground_body = 0;     ///< what carries it
+    dvec3 position{0, 0, 0};         ///< of the reference point [m]
+    dvec3 velocity{0, 0, 0};         ///< in the world [m/s]
+    dvec3 ground_normal{0, 0, 0};    ///< of what carries it, in the world; zero in the air
+    dvec3 ground_velocity{0, 0, 0};  ///< how fast that moves where it is stood on [m/s]
+    double since_ground = 1e9;       ///< time since it was last on ground [s]
+    double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
+    std::uint32_t ground_body = 0;   ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
     std::uint32_t air_jumps_left = 0;

@@ -57,16 +57,16 @@ struct CharacterSettings {
     Response response = Response::slide;
     SlopeSpeed slope_speed = SlopeSpeed::level;
 
-    double gravity = 20;          ///< against `up` [m/s^2, >= 0]. Twice the Earth's feels right in most games
-    double terminal_speed = 60;   ///< the fastest fall [m/s, >= 0]
-    double acceleration = 60;     ///< towards the wish, on the ground [m/s^2, >= 0]
-    double braking = 60;          ///< when the wish is slower than the character, on the ground [m/s^2, >= 0]
-    double air_acceleration = 15; ///< towards the wish, in the air [m/s^2, >= 0]
-    double jump_height = 1.2;     ///< how high the reference point rises in a full jump [m, >= 0]
-    double jump_cut = 2.5;        ///< gravity is this many times as strong while rising with `jump` let go [>= 1]
-    double coyote_time = 0.1;     ///< how long after leaving the ground a jump still counts as from there [s, >= 0]
-    double jump_buffer = 0.1;     ///< how long before landing a press of `jump` is remembered [s, >= 0]
-    std::uint32_t air_jumps = 0;  ///< jumps that need no ground, until the next landing
+    double gravity = 20;           ///< against `up` [m/s^2, >= 0]. Twice the Earth's feels right in most games
+    double terminal_speed = 60;    ///< the fastest fall [m/s, >= 0]
+    double acceleration = 60;      ///< towards the wish, on the ground [m/s^2, >= 0]
+    double braking = 60;           ///< when the wish is slower than the character, on the ground [m/s^2, >= 0]
+    double air_acceleration = 15;  ///< towards the wish, in the air [m/s^2, >= 0]
+    double jump_height = 1.2;      ///< how high the reference point rises in a full jump [m, >= 0]
+    double jump_cut = 2.5;         ///< gravity is this many times as strong while rising with `jump` let go [>= 1]
+    double coyote_time = 0.1;      ///< how long after leaving the ground a jump still counts as from there [s, >= 0]
+    double jump_buffer = 0.1;      ///< how long before landing a press of `jump` is remembered [s, >= 0]
+    std::uint32_t air_jumps = 0;   ///< jumps that need no ground, until the next landing
 
     /// The longest time that is moved in one go [s, > 0]; a longer tick is done in equal parts.
     double longest_tick = 0.1;

@@ -31,9 +31,7 @@ double smallest_of(const Shape& shape) noexcept {
                 return smaller(ellipsoid.radii.x, smaller(ellipsoid.radii.y, ellipsoid.radii.z));
             },
             [](const Capsule& capsule) { return capsule.radius; },
-            [](const Box& box) {
-                return smaller(box.half_extents.x, smaller(box.half_extents.y, box.half_extents.z));
-            },
+            [](const Box& box) { return smaller(box.half_extents.x, smaller(box.half_extents.y, box.half_extents.z)); },
             [](const Cylinder& cylinder) { return smaller(cylinder.radius, cylinder.half_height); },
             [](const Cone& cone) { return smaller(cone.radius, cone.height); },
         },

@@ -71,17 +71,16 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             (void)planes.add(normal);
             if (first < 0) first = distance;
-            const Vec surface = faces.replaced
-                                    ? normal
-                                    : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
-            const Footing footing =
-                holds(surroundings, body, gait, rule, centre, touch, normal, surface) ? Footing::ground : Footing::steep;
+            const Vec surface =
+                faces.replaced ? normal : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
+            const Footing footing = holds(surroundings, body, gait, rule, centre, touch, normal, surface)
+                                        ? Footing::ground
+                                        : Footing::steep;
             const bool better = ground.footing == Footing::air ||
                                 (footing == Footing::ground && ground.footing == Footing::steep) ||
                                 (footing == ground.footing && dot(surface, gait.up) > dot(ground.normal, gait.up));
             if (!better) continue;
-            ground = {footing,     first,       surface,          normal, touch.point, triangle.body,
-                      triangle.id, triangle.surface, true};
+            ground = {footing, first, surface, normal, touch.point, triangle.body, triangle.id, triangle.surface, true};
         }
     }
     // Held by steep things on several sides, as in a funnel: it cannot slide, so it stands.

@@ -72,8 +72,8 @@ private:
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
     bool leap(const Vec& motion, double way) noexcept {
         const Vec from = result_.position + body_.shift;
-        const auto hit = surroundings_.world().sweep(
-            body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, surroundings_.query());
+        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)},
+                                                     surroundings_.query());
         if (!hit) {
             result_.position = result_.position + motion;
             return true;

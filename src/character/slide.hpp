@@ -10,11 +10,11 @@ namespace surefoot::internal {
 
 /// How a body moves, apart from where.
 struct Gait {
-    Vec up;                     ///< unit
-    double least_ground_up;     ///< the cosine of the slope limit
-    double skin;                ///< [m]
-    bool on_foot = false;       ///< walks on ground: rising is free, and what is too steep is a wall
-    bool stops = false;         ///< stays where it meets something
+    Vec up;                  ///< unit
+    double least_ground_up;  ///< the cosine of the slope limit
+    double skin;             ///< [m]
+    bool on_foot = false;    ///< walks on ground: rising is free, and what is too steep is a wall
+    bool stops = false;      ///< stays where it meets something
 };
 
 /// Something that was in the way.
@@ -28,9 +28,9 @@ struct Obstacle {
 
 struct SlideResult {
     Vec position;
-    Planes3 planes;       ///< all that were obeyed
-    Obstacle obstacle;    ///< the one that was met the most squarely
-    Obstacle wall;        ///< the first that cannot be walked on and does not hang over; for steps
+    Planes3 planes;     ///< all that were obeyed
+    Obstacle obstacle;  ///< the one that was met the most squarely
+    Obstacle wall;      ///< the first that cannot be walked on and does not hang over; for steps
     bool met_ceiling = false;
     bool overflow = false;  ///< there was no room for all that was met: the move ended early
     bool blocked = false;   ///< an answer that could not be trusted ended the move

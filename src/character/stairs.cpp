@@ -10,7 +10,8 @@ struct Raised {
 };
 
 // Straight up as far as there is room.
-Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position, double height) noexcept {
+Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
+             double height) noexcept {
     Gait straight = gait;
     straight.on_foot = false;
     straight.stops = true;

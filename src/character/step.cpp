@@ -119,7 +119,8 @@ private:
 
     void jump() noexcept {
         if (state().since_jump_press > settings_.jump_buffer) return;
-        const bool from_ground = standing_ || (state().since_ground <= settings_.coyote_time && state().is_jumping == 0);
+        const bool from_ground =
+            standing_ || (state().since_ground <= settings_.coyote_time && state().is_jumping == 0);
         if (!from_ground && (state().air_jumps_left == 0 || state().since_jump_press > 0)) return;
         if (!from_ground) --state().air_jumps_left;
         const double speed = std::sqrt(2 * settings_.gravity * settings_.jump_height);
@@ -163,8 +164,7 @@ private:
         const Travel travel =
             accelerate(level(velocity_), level(to_vec(input_.wish)), settings_.air_acceleration, seconds);
         Planes3 none;
-        const SlideResult slid =
-            slide(surroundings_, body_, gait_, position_, travel.way + up_ * flight.rise, none);
+        const SlideResult slid = slide(surroundings_, body_, gait_, position_, travel.way + up_ * flight.rise, none);
         velocity_ = travel.velocity + up_ * flight.speed;
         const double into_ground = dot(velocity_, up_);
         position_ = slid.position;
@@ -262,8 +262,8 @@ CharacterEvents merged(const CharacterEvents& first, const CharacterEvents& seco
 bool is_valid(const CharacterSettings& settings) noexcept {
     if (!is_valid(settings.volume)) return false;
     const double lengths[] = {settings.step_up, settings.snap_down, settings.perch_distance, settings.jump_height};
-    const double rates[] = {settings.gravity,         settings.terminal_speed,   settings.acceleration, settings.braking,
-                            settings.air_acceleration, settings.coyote_time, settings.jump_buffer};
+    const double rates[] = {settings.gravity,          settings.terminal_speed, settings.acceleration, settings.braking,
+                            settings.air_acceleration, settings.coyote_time,    settings.jump_buffer};
     for (const double length : lengths) {
         if (!is_within(length, 0, 1e6)) return false;
     }

@@ -42,8 +42,9 @@ bool Surroundings::cover(const Vec& min, const Vec& max) noexcept {
         const Vec a = to_vec(triangles_[i].triangle.a);
         const Vec b = to_vec(triangles_[i].triangle.b);
         const Vec c = to_vec(triangles_[i].triangle.c);
-        boxes_[i] = {{smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y)), smaller(a.z, smaller(b.z, c.z))},
-                     {larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y)), larger(a.z, larger(b.z, c.z))}};
+        boxes_[i] = {
+            {smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y)), smaller(a.z, smaller(b.z, c.z))},
+            {larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y)), larger(a.z, larger(b.z, c.z))}};
     }
     return true;
 }
@@ -53,8 +54,10 @@ void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& belo
     touches.clear();
     const Vec to = from + motion;
     const double hair = margin * (1 + largest(from) + largest(to) + largest(above) + largest(below));
-    const Vec low = Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + below - Vec{hair, hair, hair};
-    const Vec high = Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + above + Vec{hair, hair, hair};
+    const Vec low =
+        Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + below - Vec{hair, hair, hair};
+    const Vec high =
+        Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + above + Vec{hair, hair, hair};
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
     for (std::size_t i = 0; i < count_; ++i) {
         if (!boxes_[i].meets(low, high)) continue;
