@@ -22,6 +22,12 @@ public:
             indices_.push_back(static_cast<std::uint32_t>(vertices_.size()));
             vertices_.emplace_back(corner);
         }
+        surfaces_.push_back(surface_);
+        return *this;
+    }
+    /// What comes from now on is made of this.
+    Scene& made_of(std::uint32_t surface) {
+        surface_ = surface;
         return *this;
     }
     /// Level ground at a height, cut into `pieces` squares along x and along z.
@@ -69,7 +75,7 @@ public:
     }
 
     [[nodiscard]] Mesh mesh() const {
-        const auto mesh = Mesh::build({.vertices = vertices_, .indices = indices_});
+        const auto mesh = Mesh::build({.vertices = vertices_, .indices = indices_, .surfaces = surfaces_});
         EXPECT_TRUE(mesh.has_value());
         return *mesh;
     }
@@ -82,6 +88,8 @@ public:
 private:
     std::vector<vec3> vertices_;
     std::vector<std::uint32_t> indices_;
+    std::vector<std::uint32_t> surfaces_;
+    std::uint32_t surface_ = 0;
 };
 
 /// A character, its settings, and how it got where it is.

@@ -151,6 +151,29 @@ TEST(Movement, AJumpRisesAsHighAsTheSettingsSayAtAnyFrameRate) {
     }
 }
 
+TEST(Movement, ABodyWedgedBetweenSteepThingsStandsAndCanJumpOut) {
+    const Shape cone = Cone{.radius = 0.4, .height = 1.8};
+    for (const Shape& shape : {Shape{Ellipsoid{}}, Shape{Sphere{}}, cone}) {
+        // A funnel of four steep sides, and a shaft in which only the cone hangs by its rim.
+        Scene funnel;
+        funnel.quad({0, 0, 0}, {-2, 4, 2}, {2, 4, 2}, {0, 0, 0}).quad({0, 0, 0}, {2, 4, 2}, {2, 4, -2}, {0, 0, 0});
+        funnel.quad({0, 0, 0}, {2, 4, -2}, {-2, 4, -2}, {0, 0, 0}).quad({0, 0, 0}, {-2, 4, -2}, {-2, 4, 2}, {0, 0, 0});
+        const World world = funnel.world();
+        Actor actor;
+        actor.settings.volume = shape;
+        actor.state.position = {0.1, 3, -0.2};
+        actor.run(world, 3);
+        EXPECT_TRUE(actor.on_ground()) << shape.index();
+        const dvec3 before = actor.state.position;
+        actor.run(world, 1);
+        EXPECT_EQ(actor.state.position, before) << shape.index();
+        actor.events = 0;
+        actor.tick(world, {.jump = true});
+        EXPECT_TRUE(actor.did(CharacterEvent::jumped)) << shape.index();
+        EXPECT_GT(actor.state.position.y, before.y + 0.05) << shape.index();
+    }
+}
+
 TEST(Movement, BadNumbersLeaveTheStateAsItWasAndSayInvalid) {
     const World world = Scene().floor(-5, 5, -5, 5).world();
     CharacterState state;

@@ -21,6 +21,8 @@ struct CourseOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> movers;
     std::vector<std::string> programs;
+    std::string run;
+    bool track = false;
     bool all_bars = false;
     bool json = false;
     bool list = false;
@@ -166,13 +168,43 @@ std::string json_of(const Contender& contender) {
     return out + "]}\n";
 }
 
+/// Of each scene only the runs with this in their names; bars that compare runs are left with what there is.
+void keep_runs(course::Scenes& scenes, const std::string& part) {
+    for (course::Scene& scene : scenes)
+        std::erase_if(scene.runs, [&](const course::Run& run) { return run.name.find(part) == std::string::npos; });
+    std::erase_if(scenes, [](const course::Scene& scene) { return scene.runs.empty(); });
+    if (scenes.empty()) throw Failure{ExitCode::usage, fmt::format("no run has {} in its name", part)};
+}
+
+/// Every tick of every run, a line each, for a spreadsheet or a plot.
+void write_tracks(const course::Scenes& scenes, std::vector<Contender>& all) {
+    write_out("mover,scene,run,time,x,y,z,grounded,wish_x,wish_z,jump\n");
+    for (Contender& contender : all) {
+        for (const course::Scene& scene : scenes) {
+            for (const course::Run& run : scene.runs) {
+                const course::Outing outing = course::walk_run(run, *contender.mover);
+                for (const course::Spot& spot : outing.spots)
+                    write_out(fmt::format("{},{},\"{}\",{:.9g},{:.17g},{:.17g},{:.17g},{:d},{:.9g},{:.9g},{:d}\n",
+                                          contender.name, scene.name, run.name, spot.time, spot.position.x,
+                                          spot.position.y, spot.position.z, spot.grounded, spot.input.wish.x,
+                                          spot.input.wish.z, spot.input.jump));
+            }
+        }
+    }
+}
+
 ExitCode run_course(const CourseOptions& given) {
-    const course::Scenes scenes = chosen(given.scenes);
+    course::Scenes scenes = chosen(given.scenes);
+    if (!given.run.empty()) keep_runs(scenes, given.run);
     if (given.list) {
         write_out(list_text(scenes));
         return ExitCode::ok;
     }
     std::vector<Contender> all = contenders(given);
+    if (given.track) {
+        write_tracks(scenes, all);
+        return ExitCode::ok;
+    }
     for (Contender& contender : all) {
         ProgressBar bar(contender.name);
         for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -214,6 +246,8 @@ void add_course(CLI::App& program, Run& run) {
                      "A program of yours that speaks the line protocol, as a shell starts it")
         ->type_name("PROGRAM")
         ->allow_extra_args(false);
+    command->add_option("--run", given->run, "Of each scene only the runs with this in their names")->type_name("TEXT");
+    command->add_flag("--track", given->track, "Print where it was after each tick instead of scores, as CSV");
     command->add_flag("--bars", given->all_bars, "Tell every bar with its measure, not only those that are missed");
     command->add_flag("--json", given->json, "Print JSON, a line for each mover");
     command->add_flag("--list", given->list, "Tell the scenes, their bars with the reasons, and the movers");
@@ -221,6 +255,7 @@ void add_course(CLI::App& program, Run& run) {
         help_footer("  surefoot course\n"
                     "  surefoot course --scene stairs --mover bullet\n"
                     "  surefoot course --mover all\n"
+                    "  surefoot course --scene wedge-along --run '80 degrees' --track\n"
                     "  surefoot course --exec 'node my-mover.mjs'\n"
                     "\nHow a program joins: docs/course-protocol.md.\n"
                     "Exit codes: 0 ours, or the only one that walked, clears every bar; 1 it does not; 2 wrong usage; "

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include <surefoot/character_settings.hpp>
+#include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/world.hpp>
@@ -36,10 +37,10 @@ enum class Footing : std::uint8_t {
     steep,   ///< something that is: it slides
 };
 
-/// All that a character is between two ticks: plain, and equal if and only if its bytes are.
+/// All that a character is between two ticks: plain, without padding, comparable.
 struct CharacterState {
     dvec3 position{0, 0, 0};         ///< of the reference point [m]
-    dvec3 velocity{0, 0, 0};         ///< in the world [m/s]
+    dvec3 velocity{0, 0, 0};         ///< its own: relative to what carries it, in the air to the world [m/s]
     dvec3 ground_normal{0, 0, 0};    ///< of what carries it, in the world; zero in the air
     dvec3 ground_velocity{0, 0, 0};  ///< how fast that moves where it is stood on [m/s]
     double since_ground = 1e9;       ///< time since it was last on ground [s]
@@ -72,7 +73,8 @@ enum class CharacterEvent : std::uint32_t {
     recovered = 1U << 9,     ///< began too close to something or inside of it, and was moved out
     sub_stepped = 1U << 10,  ///< the tick was longer than `longest_tick` and was done in parts
     overflow = 1U << 11,     ///< more triangles or contacts than there is room for: the move ended early
-    invalid = 1U << 12,      ///< something in the arguments is out of its range: the state is unchanged
+    pushed = 1U << 12,       ///< something that moves came against it
+    invalid = 1U << 13,      ///< something in the arguments is out of its range: the state is unchanged
 };
 
 /// The events of one tick, and what belongs to them.
@@ -97,9 +99,9 @@ struct StepResult {
 ///
 /// `dt` is the time that passes [s, > 0 and at most 60]; anything else, and any number that is not finite, leaves the
 /// state as it was, with the event `invalid`. The world's moving bodies go from their poses at the start of its tick to
-/// those at the end.
+/// those at the end. `trace` is told what was tried, met and decided; a step without one pays nothing for it.
 [[nodiscard]] StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input,
-                              double dt, const CharacterState& state) noexcept;
+                              double dt, const CharacterState& state, StepTrace* trace = nullptr) noexcept;
 
 /// Can the body be here without touching anything?
 [[nodiscard]] bool fits(const World& world, const CharacterSettings& settings, const dvec3& position,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <surefoot/character_surface.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/shapes.hpp>
 
@@ -66,7 +67,11 @@ struct CharacterSettings {
     double jump_cut = 2.5;         ///< gravity is this many times as strong while rising with `jump` let go [>= 1]
     double coyote_time = 0.1;      ///< how long after leaving the ground a jump still counts as from there [s, >= 0]
     double jump_buffer = 0.1;      ///< how long before landing a press of `jump` is remembered [s, >= 0]
-    std::uint32_t air_jumps = 0;   ///< jumps that need no ground, until the next landing
+    bool keeps_ground_velocity = true;  ///< takes the velocity of a lift or a train along when it leaves it
+    std::uint32_t air_jumps = 0;        ///< jumps that need no ground, until the next landing
+
+    /// What the level's surfaces do; without a table all of it is firm ground.
+    SurfaceRules surfaces{};
 
     /// The longest time that is moved in one go [s, > 0]; a longer tick is done in equal parts.
     double longest_tick = 0.1;

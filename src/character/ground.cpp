@@ -29,14 +29,27 @@ bool holds_walking(Surroundings& surroundings, const Body& body, const Gait& gai
     return goes_on_below(surroundings, body, gait, rule, position, edge, -ahead);
 }
 
-bool holds(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule, const Vec& position,
-           const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
-    if (dot(surface, gait.up) < gait.least_ground_up) return false;
-    if (dot(normal, gait.up) >= gait.least_ground_up) return true;
+// Whether a touch holds a body, and if not, why.
+struct Hold {
+    Footing footing = Footing::ground;
+    StepRule rule = StepRule::none;
+    double value = 0;
+    double limit = 0;
+};
+
+Hold hold_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+             const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
+    const double rises = dot(surface, gait.up);
+    if (surroundings.rule_of(surroundings.triangles()[touch.index].surface).slippery) {
+        return {Footing::steep, StepRule::slippery, 0, 0};
+    }
+    if (rises < gait.least_ground_up) return {Footing::steep, StepRule::slope_limit, rises, gait.least_ground_up};
+    if (dot(normal, gait.up) >= gait.least_ground_up) return {};
     const Vec out = touch.point - position;
     const Vec aside = out - gait.up * dot(out, gait.up);
-    if (dot(aside, aside) <= rule.perch_distance * rule.perch_distance) return true;
-    return holds_walking(surroundings, body, gait, rule, position, touch.point, aside);
+    if (dot(aside, aside) <= rule.perch_distance * rule.perch_distance) return {};
+    if (holds_walking(surroundings, body, gait, rule, position, touch.point, aside)) return {};
+    return {Footing::steep, StepRule::perch_distance, length(aside), rule.perch_distance};
 }
 
 }  // namespace
@@ -56,7 +69,6 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
     Touches touches;
     surroundings.sweep(body.kept_off, body.shift, body.below, body.above, position, down, touches);
     double first = -1;
-    Planes3 planes;
     for (const Touch& touch : touches.get()) {
         if (touch.status != HitStatus::ok) {
             ground.trusted = false;
@@ -66,29 +78,35 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         if (first >= 0 && distance > first + together * gait.skin) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
-        const Faces faces = faces_of(touch, surroundings, 0.5 * gait.skin, centre);
+        const Faces faces = faces_of(touch, surroundings, body, 0.5 * gait.skin, centre);
         for (const Vec& normal : faces.get()) {
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
-            (void)planes.add(normal);
             if (first < 0) first = distance;
             const Vec surface =
                 faces.replaced ? normal : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
-            const Footing footing = holds(surroundings, body, gait, rule, centre, touch, normal, surface)
-                                        ? Footing::ground
-                                        : Footing::steep;
+            const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
+            const Footing footing = hold.footing;
             const bool better = ground.footing == Footing::air ||
                                 (footing == Footing::ground && ground.footing == Footing::steep) ||
                                 (footing == ground.footing && dot(surface, gait.up) > dot(ground.normal, gait.up));
             if (!better) continue;
-            ground = {footing, first, surface, normal, touch.point, triangle.body, triangle.id, triangle.surface, true};
+            ground = {footing,          first,     surface,    normal,     touch.point, triangle.body, triangle.id,
+                      triangle.surface, hold.rule, hold.value, hold.limit, true};
         }
     }
-    // Held by steep things on several sides, as in a funnel: it cannot slide, so it stands.
-    if (ground.footing == Footing::steep && length(planes.nearest_to(-gait.up)) <= along_tolerance) {
-        ground.footing = Footing::ground;
-        ground.normal = gait.up;
-    }
     return ground;
+}
+
+void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
+                     Ground& ground) noexcept {
+    if (ground.footing != Footing::steep || ground.rule == StepRule::slippery) return;
+    Gait falling = gait;
+    falling.on_foot = false;
+    const SlideResult slid = slide(surroundings, body, falling, position, gait.up * -gait.skin, {});
+    if (!(slid.position == position)) return;
+    ground.footing = Footing::ground;
+    ground.normal = gait.up;
+    ground.distance = 0;
 }
 
 }  // namespace surefoot::internal

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <surefoot/character.hpp>
+#include <surefoot/character_trace.hpp>
 
 #include "character/slide.hpp"
 #include "character/surroundings.hpp"
@@ -20,6 +21,9 @@ struct Ground {
     std::uint32_t body = 0;
     std::uint32_t triangle = 0;
     std::uint32_t surface = 0;
+    StepRule rule = StepRule::none;  ///< why it is not ground, with what was held against what
+    double value = 0;
+    double limit = 0;
     bool trusted = true;  ///< false where a query could not be answered
 };
 
@@ -34,5 +38,9 @@ struct GroundRule {
 /// that of the touch; an edge that is touched too steeply still holds within the perch distance.
 [[nodiscard]] Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& gait,
                                   const GroundRule& rule, const Vec& position, double depth) noexcept;
+
+/// Held by steep things on all sides, as in a funnel or between walls, a body cannot go down: then it stands.
+void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
+                     Ground& ground) noexcept;
 
 }  // namespace surefoot::internal

@@ -24,7 +24,8 @@ struct Push {
 class Recover {
 public:
     Recover(Surroundings& surroundings, const Body& body, const Gait& gait) noexcept
-        : surroundings_(surroundings), body_(body), gait_(gait), half_(grown(body.volume, 0.5 * gait.skin)) {}
+        : surroundings_(surroundings), body_(body), gait_(gait), half_(grown(body.volume, 0.5 * gait.skin)),
+          full_(grown(body.volume, gait.skin)) {}
 
     Recovery run(const Vec& from, double farthest) noexcept {
         Recovery result{from, false, false};
@@ -55,16 +56,30 @@ private:
         count_ = 0;
         deep_ = false;
         const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
-        const Vec low = position + body_.below;
-        const Vec high = position + body_.above;
-        if (!surroundings_.cover(low - wide, high + wide)) return false;
-        surroundings_.near(low, high, [&](const SourceTriangle& triangle) {
-            const auto overlap = surefoot::overlap(half_.volume, to_dvec3(position + half_.shift), triangle.triangle);
-            if (!overlap || overlap->status != HitStatus::ok || count_ == most_pushes) return;
-            pushes_[count_++] = {to_vec(overlap->normal), overlap->depth + 0.5 * gait_.skin};
-            deep_ = deep_ || overlap->depth > 0.5 * gait_.skin;
+        if (!surroundings_.cover(position + body_.below - wide, position + body_.above + wide)) return false;
+        bool too_near = false;
+        for_all(half_, position, [&](const Overlap& overlap) {
+            too_near = true;
+            deep_ = deep_ || overlap.depth > 0.5 * gait_.skin;
+        });
+        if (!too_near) return true;
+        // Now all within the skin: what is not too near may come as near as half of it, and no nearer.
+        for_all(full_, position, [&](const Overlap& overlap) {
+            if (count_ == most_pushes) return;
+            const bool is_near = overlap.depth <= 0.5 * gait_.skin;
+            pushes_[count_++] = {to_vec(overlap.normal), overlap.depth - (is_near ? 0.5 * gait_.skin : 0)};
         });
         return true;
+    }
+
+    template <typename Visit>
+    void for_all(const GrownVolume& grown_by, const Vec& position, const Visit& visit) const noexcept {
+        surroundings_.near(position + body_.below, position + body_.above, [&](const SourceTriangle& triangle) {
+            if (surroundings_.rule_of(triangle.surface).one_way) return;
+            const auto found =
+                surefoot::overlap(grown_by.volume, to_dvec3(position + grown_by.shift), triangle.triangle);
+            if (found && found->status == HitStatus::ok) visit(*found);
+        });
     }
 
     // The shortest way that gets out of all, found by going out of each in turn.
@@ -85,6 +100,7 @@ private:
 
     bool crosses(const Vec& from, const Vec& to) const noexcept {
         for (const SourceTriangle& triangle : surroundings_.triangles()) {
+            if (surroundings_.rule_of(triangle.surface).one_way) continue;
             if (surefoot::ray({to_dvec3(from), to_dvec3(to)}, triangle.triangle)) return true;
         }
         return false;
@@ -93,7 +109,8 @@ private:
     Surroundings& surroundings_;
     const Body& body_;
     const Gait& gait_;
-    GrownVolume half_;
+    GrownVolume half_;  // the body with half of its skin
+    GrownVolume full_;  // and with all of it
     Push pushes_[most_pushes];
     std::size_t count_ = 0;
     bool deep_ = false;

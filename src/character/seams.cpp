@@ -1,5 +1,6 @@
 #include "character/seams.hpp"
 
+#include "character/body.hpp"
 #include "nearest.hpp"
 
 namespace surefoot::internal {
@@ -39,6 +40,12 @@ double reaches_out(const Face& face, const Vec& point, const Vec& normal) noexce
                   larger(dot(normal, face.corners[1] - point), dot(normal, face.corners[2] - point)));
 }
 
+// Is all of the body in front of the face's plane, but for `reach`? Only then does obeying the plane keep it off.
+bool is_before(const Body& body, const Vec& centre, const Face& face, double reach) noexcept {
+    const double height = dot(face.normal, centre + body.shift - face.corners[0]);
+    return height - reach_along(body.kept_off, -face.normal) >= -reach;
+}
+
 template <typename Visit>
 void near(const Surroundings& surroundings, const Vec& point, double reach, const Visit& visit) noexcept {
     const Vec around = Vec{1, 1, 1} * reach;
@@ -54,18 +61,30 @@ void Faces::add(const Vec& normal) noexcept {
     if (count < most) normals[count++] = normal;
 }
 
-Faces faces_of(const Touch& touch, const Surroundings& surroundings, double reach, const Vec& centre) noexcept {
+Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double reach,
+               const Vec& centre) noexcept {
     Faces faces;
     if (touch.feature != Feature::face) {
+        const Face own = face_of(surroundings.triangles()[touch.index].triangle, centre);
+        bool covered = false;
         near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
             const Face face = face_of(triangle.triangle, centre);
             if (face.normal == Vec{} || !holds(face, touch.point, reach)) return;
             if (reaches_out(face, touch.point, touch.normal) <= in_plane * face.size + reach * 0x1p-4) return;
             // It reaches out, but against its back the body cannot have come.
             if (dot(face.normal, touch.normal) < -1e-9) return;
-            faces.replaced = true;
-            faces.add(face.normal);
+            covered = true;
+            // What lies behind the face is behind it for all of the motion. What rises before it is met by itself.
+            if (reaches_out(own, face.corners[0], face.normal) <= in_plane * own.size + 0.5 * reach &&
+                is_before(body, centre, face, reach)) {
+                faces.add(face.normal);
+            }
         });
+        if (covered && !(own.normal == Vec{}) && dot(own.normal, touch.normal) >= -1e-9 &&
+            is_before(body, centre, own, reach)) {
+            faces.add(own.normal);
+        }
+        faces.replaced = faces.count > 0;
     }
     if (!faces.replaced) faces.add(touch.normal);
     return faces;

@@ -33,16 +33,43 @@ public:
 
     SlideResult run() noexcept {
         for (int pass = 0; pass < most_passes; ++pass) {
-            const Vec motion = allowed(target_ - result_.position);
-            if (length(motion) <= rest * wish_length_) return result_;
-            const Vec before = result_.position;
-            if (go(motion)) return result_;
-            if (gait_.stops && !(before == result_.position)) return result_;
+            const Vec wish = target_ - result_.position;
+            const Vec motion = allowed(wish);
+            if (length(motion) <= rest * wish_length_) {
+                if (wish_length_ > 0) tell({.position = {}, .motion = to_dvec3(wish), .act = StepAct::rested});
+                return result_;
+            }
+            tell({.motion = to_dvec3(motion), .act = StepAct::pass});
+            if (go(motion) || gait_.stops) return result_;
         }
         return result_;
     }
 
 private:
+    void tell(StepRecord record) const noexcept {
+        surroundings_.tell([&] {
+            record.position = to_dvec3(result_.position);
+            return record;
+        });
+    }
+
+    void tell(StepAct act, const Touch& touch, const Vec& normal, StepRule rule = StepRule::none, double value = 0,
+              double limit = 0) const noexcept {
+        surroundings_.tell([&] {
+            const SourceTriangle& triangle = surroundings_.triangles()[touch.index];
+            return StepRecord{.position = to_dvec3(result_.position),
+                              .point = to_dvec3(touch.point),
+                              .normal = to_dvec3(normal),
+                              .value = value,
+                              .limit = limit,
+                              .triangle = triangle.id,
+                              .body = triangle.body,
+                              .act = act,
+                              .rule = rule,
+                              .feature = touch.feature};
+        });
+    }
+
     Vec allowed(const Vec& wish) const noexcept {
         return gait_.on_foot ? result_.planes.nearest_on_foot(wish, gait_.up) : result_.planes.nearest_to(wish);
     }
@@ -52,6 +79,7 @@ private:
         const double way = length(motion);
         if (way > leap_from * size_) return leap(motion, way);
         if (!cover(motion)) {
+            tell({.act = StepAct::overflow});
             result_.overflow = true;
             return true;
         }
@@ -72,8 +100,15 @@ private:
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
     bool leap(const Vec& motion, double way) noexcept {
         const Vec from = result_.position + body_.shift;
-        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)},
-                                                     surroundings_.query());
+        // One-way surfaces are none to what rises.
+        const bool rises = dot(motion, gait_.up) > 0;
+        const auto exists = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !(rises && surroundings_.rule_of(surface).one_way);
+        };
+        WorldQuery query = surroundings_.query();
+        query.triangles = BodyTriangleFilter(exists);
+        const auto hit =
+            surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
         if (!hit) {
             result_.position = result_.position + motion;
             return true;
@@ -115,14 +150,17 @@ private:
     // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, 0.5 * gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {
             if (dot(normal, motion) >= -along_tolerance * way) continue;
+            if (!in_the_way) tell(StepAct::touch, touch, touch.normal, StepRule::none, touch.t);
+            if (faces.replaced) tell(StepAct::seam, touch, normal);
             in_the_way = true;
             obey(normal, touch);
         }
+        if (!in_the_way) tell(StepAct::passed_over, touch, faces.normals[0], StepRule::none, touch.t);
         return in_the_way;
     }
 
@@ -130,6 +168,7 @@ private:
         const double rises = dot(normal, gait_.up);
         const bool is_steep = rises > 0 && rises < gait_.least_ground_up;
         note(normal, touch, rises);
+        tell(StepAct::obeyed, touch, normal);
         bool room = result_.planes.add(normal);
         if (is_steep) {
             const Vec level = normal - gait_.up * rises;
@@ -137,18 +176,21 @@ private:
             if (run > 1e-6) {
                 const Vec wall = level / run;
                 if (gait_.on_foot) {
+                    tell(StepAct::wall, touch, wall, StepRule::slope_limit, rises, gait_.least_ground_up);
                     room = result_.planes.add(wall) && room;
                 } else {
-                    never_lift(wall, normal);
+                    never_lift(wall, normal, touch);
                 }
             }
         }
-        if (!room) result_.overflow = true;
+        if (room) return;
+        tell(StepAct::overflow, touch, normal);
+        result_.overflow = true;
     }
 
     // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
     // given up where obeying the plane would lift the body by more than it wants to rise.
-    void never_lift(const Vec& wall, const Vec& normal) noexcept {
+    void never_lift(const Vec& wall, const Vec& normal, const Touch& touch) noexcept {
         const Vec wish = target_ - result_.position;
         const double into = dot(wall, wish);
         if (into >= 0) return;
@@ -156,6 +198,8 @@ private:
         const Vec along = wish - normal * smaller(0, dot(normal, wish));
         if (dot(along, gait_.up) <= larger(0, rise)) return;
         target_ = target_ - wall * into;
+        tell(StepAct::gave_up_rising, touch, normal, StepRule::slope_limit, dot(normal, gait_.up),
+             gait_.least_ground_up);
     }
 
     void note(const Vec& normal, const Touch& touch, double rises) noexcept {

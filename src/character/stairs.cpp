@@ -28,8 +28,27 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     const double way = length(level);
     if (!(way > 0)) return std::nullopt;
     const Vec ahead = level / way;
+    const auto tell = [&](StepAct act, StepRule decided, double value, double limit, const Ground& at = {}) noexcept {
+        surroundings.tell([&] {
+            return StepRecord{.position = to_dvec3(position),
+                              .motion = to_dvec3(level),
+                              .point = to_dvec3(at.point),
+                              .normal = to_dvec3(at.contact_normal),
+                              .value = value,
+                              .limit = limit,
+                              .triangle = at.triangle,
+                              .body = at.body,
+                              .act = act,
+                              .rule = decided};
+        });
+    };
+    const auto refuse = [&](StepRule decided, double value, double limit, const Ground& at = {}) noexcept {
+        tell(StepAct::step_refused, decided, value, limit, at);
+        return std::nullopt;
+    };
+    tell(StepAct::step_tried, StepRule::none, settings.step_up, settings.step_depth);
     const Raised raised = raise(surroundings, body, gait, position, settings.step_up);
-    if (raised.height <= gait.skin) return std::nullopt;
+    if (raised.height <= gait.skin) return refuse(StepRule::head_room, raised.height, settings.step_up);
     const auto forward = [&](double length) noexcept {
         return slide(surroundings, body, gait, raised.position, ahead * length, {}).position;
     };
@@ -38,21 +57,25 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     };
     // The question: is there ground ahead, higher than here? What is reached may lie beside, along a wall.
     const Vec probe = forward(larger(way, settings.step_depth));
-    if (dot(probe - raised.position, ahead) <= gait.skin) return std::nullopt;
+    const double advance = dot(probe - raised.position, ahead);
+    if (advance <= gait.skin) return refuse(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
-    if (!landing.trusted || landing.footing != Footing::ground) return std::nullopt;
     const double risen = dot(probe - position, gait.up) - landing.distance;
-    if (risen <= 0 || risen > settings.step_up + gait.skin) return std::nullopt;
+    if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
+    if (landing.footing != Footing::ground) return refuse(landing.rule, landing.value, landing.limit, landing);
+    if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);
+    if (risen > settings.step_up + gait.skin) return refuse(StepRule::step_height, risen, settings.step_up, landing);
     // The way.
     const Vec place = forward(way);
     const Ground ground = down_from(place, rule);
-    if (!ground.trusted || ground.footing == Footing::air) return std::nullopt;
+    if (!ground.trusted || ground.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
     SteppedUp stepped{place - gait.up * ground.distance, ground};
     // Half way on to a step a round body rests on its edge, more steeply than the rule for standing allows.
     if (stepped.ground.footing == Footing::steep) {
         stepped.ground.footing = Footing::ground;
         stepped.ground.normal = landing.normal;
     }
+    tell(StepAct::stepped_up, StepRule::none, dot(stepped.position - position, gait.up), settings.step_up, ground);
     return stepped;
 }
 

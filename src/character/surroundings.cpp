@@ -1,5 +1,6 @@
 #include "character/surroundings.hpp"
 
+#include "character/body.hpp"
 #include "sweep/sweep.hpp"
 
 namespace surefoot::internal {
@@ -8,6 +9,16 @@ namespace {
 
 bool is_before(const Touch& a, const Touch& b) noexcept {
     return a.t != b.t ? a.t < b.t : a.index < b.index;
+}
+
+// Is all of the body in front of the triangle's plane, but for the slack?
+bool comes_from_front(const Volume& volume, const Vec& place, const Triangle& triangle, double slack) noexcept {
+    const Vec a = to_vec(triangle.a);
+    const Vec across = cross(to_vec(triangle.b) - a, to_vec(triangle.c) - a);
+    const double size = length(across);
+    if (!(size > 0)) return false;
+    const Vec normal = across / size;
+    return dot(normal, place - a) - reach_along(volume, -normal) >= -slack;
 }
 
 // What a box is grown by before it may say that nothing is there, as a share of the numbers in it.
@@ -61,7 +72,9 @@ void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& belo
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
     for (std::size_t i = 0; i < count_; ++i) {
         if (!boxes_[i].meets(low, high)) continue;
-        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided, 1,
+        const bool one_way = rules_[triangles_[i].surface].one_way;
+        if (one_way && !comes_from_front(volume, from + shift, triangles_[i].triangle, slack_)) continue;
+        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided || one_way, 1,
                                         nullptr, StartSign::rounded);
         if (!hit) continue;
         touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});

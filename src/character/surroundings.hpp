@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include <surefoot/character_surface.hpp>
+#include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/query.hpp>
 #include <surefoot/shapes.hpp>
@@ -53,7 +55,10 @@ class Surroundings {
 public:
     static constexpr std::size_t most = 512;
 
-    Surroundings(const World& world, const WorldQuery& query) noexcept : world_(world), query_(query) {}
+    /// `slack`: how far a body may be behind a one-way surface and still have come from its front [m].
+    Surroundings(const World& world, const WorldQuery& query, const SurfaceRules& rules, double slack,
+                 StepTrace* trace) noexcept
+        : world_(world), query_(query), rules_(rules), slack_(slack), trace_(trace) {}
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
@@ -75,7 +80,14 @@ public:
     }
 
     [[nodiscard]] const World& world() const noexcept { return world_; }
+    [[nodiscard]] SurfaceRule rule_of(std::uint32_t surface) const noexcept { return rules_[surface]; }
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
+
+    /// Tells the trace, if there is one. `make()` returns the record, and is not called otherwise.
+    template <typename Make>
+    void tell(const Make& make) const noexcept {
+        if (trace_ != nullptr) trace_->push(make());
+    }
 
 private:
     struct Box {
@@ -88,6 +100,9 @@ private:
 
     const World& world_;
     WorldQuery query_;
+    SurfaceRules rules_;
+    double slack_;
+    StepTrace* trace_;
     std::size_t count_ = 0;
     Box covered_{{1, 1, 1}, {-1, -1, -1}};
     std::array<SourceTriangle, most> triangles_;

@@ -74,16 +74,28 @@ private:
 
     void settle() noexcept {
         const double depth = settings_.snap_down + gait_.skin;
-        const Ground ground = ground_under(surroundings_, body_, gait_, rule_, result_.position, depth);
+        Ground ground = ground_under(surroundings_, body_, gait_, rule_, result_.position, depth);
         if (!ground.trusted) {
             result_.overflow = true;
             return;  // where it is it was standing before
         }
+        stand_if_wedged(surroundings_, body_, gait_, result_.position, ground);
         result_.ground = ground;
         if (ground.footing != Footing::ground) return;
         if (ground.distance <= resting * gait_.skin) return;
         result_.position = result_.position - gait_.up * ground.distance;
-        if (ground.distance > gait_.skin) result_.snapped_down = true;
+        if (ground.distance <= gait_.skin) return;
+        result_.snapped_down = true;
+        surroundings_.tell([&] {
+            return StepRecord{.position = to_dvec3(result_.position),
+                              .point = to_dvec3(ground.point),
+                              .normal = to_dvec3(ground.normal),
+                              .value = ground.distance,
+                              .limit = settings_.snap_down,
+                              .triangle = ground.triangle,
+                              .body = ground.body,
+                              .act = StepAct::snapped_down};
+        });
     }
 
     Surroundings& surroundings_;
