@@ -99,11 +99,11 @@ Scene high_ledges() {
          })},
         {"ticks on the way down", "of those of a free fall", 0.2,
          "a fall of h takes sqrt(2 h / g); rolling off the edge adds a little", each([](const Outing& outing) {
-             const double drop = drop_of(outing), top = standing(outing.run->settings);
+             const double drop = drop_of(outing), top = outing.scripted().front().position.y;
              double time = 0;
              for (const Spot& spot : outing.scripted()) {
                  const double fallen = top - spot.position.y;
-                 if (fallen > 0.4 && fallen < drop - skin) time += outing.run->dt();
+                 if (fallen > 0.4 && fallen < drop - 0.05) time += outing.run->dt();
              }
              // From 0.4 m on the round end is off the edge, and it has at least the speed of a fall along it.
              const double all = std::sqrt(2 * drop / 20), first = std::sqrt(2 * 0.4 / 20);
