@@ -38,12 +38,13 @@ double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
     return 2 * std::atan2(dot(a, cross(b, c)), below);
 }
 
-double winding(const Level& level, const dvec3& point) {
+double winding(const Level& level, double time, const dvec3& point) {
     double sum = 0;
-    for (const LevelBody& body : level.bodies) {
-        const Triangles& triangles = body.triangles;
+    const std::vector<Pose> poses = poses_at(level, time);
+    for (std::size_t body = 0; body < poses.size(); ++body) {
+        const Triangles& triangles = level.bodies[body].triangles;
         const auto corner = [&](std::size_t i) {
-            return to_world(body.pose, dvec3(triangles.vertices[triangles.indices[i]])) - point;
+            return to_world(poses[body], dvec3(triangles.vertices[triangles.indices[i]])) - point;
         };
         for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
             sum += solid_angle(corner(i), corner(i + 1), corner(i + 2));
@@ -141,9 +142,9 @@ double climbed(const Outing& outing) {
 }
 
 double outside(const Outing& outing) {
-    const double free = winding(*outing.run->level, outing.run->start);
+    const double free = winding(*outing.run->level, 0, outing.run->start);
     return worst_tick(outing, [&](const Spot&, const Spot& after) {
-        return std::abs(winding(*outing.run->level, after.position) - free);
+        return std::abs(winding(*outing.run->level, std::max(0.0, after.time), after.position) - free);
     });
 }
 

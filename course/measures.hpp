@@ -44,7 +44,7 @@ using Measure = std::function<Worst(std::span<const Outing>)>;
 [[nodiscard]] double climbed(const Outing& outing);
 
 /// How much a closed level's winding number about the centre differs from that of its free space, after any tick: 0
-/// where it belongs, 1 inside of a wall or outside. Of the bodies where they are at time 0.
+/// where it belongs, 1 inside of a wall or outside.
 [[nodiscard]] double outside(const Outing& outing);
 
 /// How far the ways of runs that differ in their rate alone are apart where both end a tick, beyond `allowed` by the

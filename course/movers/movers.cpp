@@ -29,6 +29,9 @@ constexpr Entry entries[] = {
     {{"broken-discrete", "moves first, then pushes itself out of what it overlaps", true},
      broken<&Faults::moves_first>},
     {{"broken-float", "keeps its position in single precision", true}, broken<&Faults::single_precision>},
+    {{"broken-restless", "pushes itself farther off than it stops before things", true},
+     broken<&Faults::pushes_too_far>},
+    {{"broken-stop", "stays where it meets something", true}, broken<&Faults::stops>},
     {{"broken-lengths", "has lengths for a grown person in its code", true}, broken<&Faults::human_lengths>},
 };
 

@@ -74,6 +74,7 @@ public:
         }
         position_ = run.start;
         vertical_ = 0;
+        ticks_ = 0;
         grounded_ = jump_held_ = false;
         flattest_ = std::cos(radians(settings_.slope_limit_deg));
     }
@@ -90,6 +91,8 @@ public:
         } else {
             fall(input.wish * dt, dt);
         }
+        // Every other tick, as solvers do that find in one tick what the one before left too close.
+        if (faults_.pushes_too_far && ++ticks_ % 2 == 0) (void)push_out(1.4 * settings_.skin);
         if (faults_.single_precision) position_ = dvec3(vec3(position_));
         return {position_, grounded_};
     }
@@ -160,7 +163,7 @@ private:
         const dvec3 target = position_ + wish;
         if (faults_.moves_first) {
             position_ = target;
-            return push_out();
+            return push_out(settings_.skin);
         }
         std::vector<Plane> planes;
         if (!faults_.hit_by_hit) touched(planes);
@@ -184,6 +187,7 @@ private:
             const dvec3 normal = as_wall(without_seam(hit->point, hit->normal, hit->feature, hit->body));
             if (normal.y < flattest_ && normal.y > -0.1 && !wall) wall = normal;
             if (normal.y < -0.1) met_ceiling_ = true;
+            if (faults_.stops) break;
             rest = way * (1 - gone / length);
             rest = rest - normal * std::min(0.0, dot(rest, normal));
             if (faults_.one_body && !planes.empty() && planes.front().body != hit->body) planes.clear();
@@ -192,11 +196,11 @@ private:
         return wall;
     }
 
-    std::optional<dvec3> push_out() {
+    std::optional<dvec3> push_out(double skin) {
         std::optional<dvec3> wall;
         std::vector<Overlap> found(128);
         for (int pass = 0; pass < 8; ++pass) {
-            const std::size_t count = level_->world().overlap(swept(), position_, found, at_end);
+            const std::size_t count = level_->world().overlap(grown(skin), position_, found, at_end);
             const Overlap* deepest = nullptr;
             for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
                 if (!deepest || found[i].depth > deepest->depth) deepest = &found[i];
@@ -276,6 +280,7 @@ private:
     bool grounded_ = false;
     bool jump_held_ = false;
     bool met_ceiling_ = false;
+    int ticks_ = 0;
 };
 
 }  // namespace

@@ -12,6 +12,8 @@ struct Faults {
     bool one_body = false;          ///< knows the contacts of one body at a time
     bool moves_first = false;       ///< moves, then pushes itself out of what it overlaps
     bool single_precision = false;  ///< keeps its position in floats
+    bool pushes_too_far = false;    ///< keeps farther off by pushing than by stopping
+    bool stops = false;             ///< stays where it meets something
     bool human_lengths = false;     ///< lengths in its code instead of its settings
 };
 

@@ -127,12 +127,14 @@ Scene pushers() {
             const dvec3 way = heading(degrees, v);
             level->add(Triangles().block({-2, -0.4, -6}, {-1, 3, 6}), {},
                        [way](double time) { return Pose{.position = way * std::min(time, 1.5)}; });
-            level->add(Triangles().floor({-20, -0.0, -20}, {40, 0, 20}, 20));
+            for (int i = 0; i < 20; ++i)
+                level->add(Triangles().block({0, -1, -20}, {3, 0, 20}), {.position = {3.0 * i - 20, 0, 0}});
             scene.runs.push_back(
                 run_at(text_of(v) + " m/s at " + text_of(degrees) + " degrees", level, {0, 0, 0}, walk({}), 2));
         }
     }
     scene.bars = {depth_bar(),
+                  inside_bar(),
                   level_bar(),
                   ground_bar(),
                   {"left behind", "m", 2 * skin, "a wall that comes takes along what stands before it",
