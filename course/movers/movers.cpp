@@ -19,6 +19,7 @@ std::unique_ptr<Mover> broken() {
 
 constexpr Entry entries[] = {
     {{"ours", "surefoot::step"}, make_ours},
+    {{"bullet", "Bullet's btKinematicCharacterController"}, make_bullet},
     {{"textbook", "a short controller of the usual build, without the faults below"}, [] { return make_textbook({}); }},
     {{"broken-hit-by-hit", "slides along what it hit last, forgets what it hit before", true},
      broken<&Faults::hit_by_hit>},
