@@ -125,7 +125,7 @@ Scene pushers() {
         for (const double degrees : {0.0, 30.0}) {
             auto level = std::make_shared<Level>();
             const dvec3 way = heading(degrees, v);
-            level->add(Triangles().block({-2, -0.4, -6}, {-1, 3, 6}), {},
+            level->add(Triangles().block({-2, -0.4, -20}, {-1, 3, 20}), {},
                        [way](double time) { return Pose{.position = way * std::min(time, 1.5)}; });
             for (int i = 0; i < 20; ++i)
                 level->add(Triangles().block({0, -1, -20}, {3, 0, 20}), {.position = {3.0 * i - 20, 0, 0}});

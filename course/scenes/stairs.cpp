@@ -133,6 +133,7 @@ constexpr double tread_degrees = 20;
 constexpr int spiral_steps = 27;
 constexpr double spiral_rise = 0.2;
 constexpr double spiral_radius = 1.5;
+constexpr double approach_degrees = 35;  // clear of the first riser
 
 LevelPointer spiral_level() {
     Triangles triangles;
@@ -162,11 +163,11 @@ Script around(double direction) {
 Scene spiral() {
     Scene scene{"stairs-spiral", "spiral stairs, one and a half turns up and down", {}, {}, {}};
     // Up from just before the first riser to the middle of the last tread.
-    const double turn = radians(tread_degrees * (spiral_steps - 0.5) + 15);
+    const double turn = radians(tread_degrees * (spiral_steps - 0.5) + approach_degrees);
     const double seconds = turn * spiral_radius / 2;
     const LevelPointer level = spiral_level();
     const double top = spiral_steps * spiral_rise;
-    scene.runs.push_back(run_at("to " + text_of(top), level, heading(-15, spiral_radius), around(1), seconds));
+    scene.runs.push_back(run_at("to " + text_of(top), level, heading(-approach_degrees, spiral_radius), around(1), seconds));
     scene.runs.push_back(run_at("to 0", level,
                                 heading(tread_degrees * (spiral_steps - 0.5), spiral_radius) + dvec3{0, top, 0},
                                 around(-1), seconds));
