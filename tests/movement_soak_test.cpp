@@ -16,8 +16,10 @@ World hall() {
     scene.block({1, 0, 4}, {1.02, 3, 9}).block({2.0, 0, 4}, {2.2, 3, 9});  // a thin wall, and a crevice of 0.98 m
     for (int i = 0; i < 12; ++i) {  // a dome's lower part, as a funnel upside down and needles around it
         const double a = i * 0.5235987755982988, b = a + 0.5235987755982988;
-        const dvec3 low_a{-6 + 2 * std::cos(a), 0, 6 + 2 * std::sin(a)}, low_b{-6 + 2 * std::cos(b), 0, 6 + 2 * std::sin(b)};
-        const dvec3 high_a{-6 + 3 * std::cos(a), 2, 6 + 3 * std::sin(a)}, high_b{-6 + 3 * std::cos(b), 2, 6 + 3 * std::sin(b)};
+        const dvec3 low_a{-6 + 2 * std::cos(a), 0, 6 + 2 * std::sin(a)},
+            low_b{-6 + 2 * std::cos(b), 0, 6 + 2 * std::sin(b)};
+        const dvec3 high_a{-6 + 3 * std::cos(a), 2, 6 + 3 * std::sin(a)},
+            high_b{-6 + 3 * std::cos(b), 2, 6 + 3 * std::sin(b)};
         if (i != 3) scene.quad(low_a, high_a, high_b, low_b);
     }
     return scene.world();
@@ -25,8 +27,9 @@ World hall() {
 
 TEST(MovementSoak, NobodyGetsIntoAWallOrOutOfTheHall) {
     const World world = hall();
-    const Shape shapes[] = {Ellipsoid{},  Sphere{},   Capsule{}, Box{.half_extents = {0.35, 0.8, 0.35}}, Cylinder{},
-                            Cone{.radius = 0.4, .height = 1.8}};
+    const Shape shapes[] = {Ellipsoid{}, Sphere{},
+                            Capsule{},   Box{.half_extents = {0.35, 0.8, 0.35}},
+                            Cylinder{},  Cone{.radius = 0.4, .height = 1.8}};
     std::uint64_t seed = 1;
     for (const Shape& shape : shapes) {
         for (const double rate : {20.0, 60.0, 240.0}) {
@@ -45,8 +48,8 @@ TEST(MovementSoak, NobodyGetsIntoAWallOrOutOfTheHall) {
                 const CharacterEvents events = actor.tick(world, input);
                 const dvec3& p = actor.state.position;
                 const auto where = [&] {
-                    return ::testing::Message() << "shape " << shape.index() << " at " << rate << " Hz, tick " << tick << ", ("
-                                                << p.x << ", " << p.y << ", " << p.z << ")";
+                    return ::testing::Message() << "shape " << shape.index() << " at " << rate << " Hz, tick " << tick
+                                                << ", (" << p.x << ", " << p.y << ", " << p.z << ")";
                 };
                 ASSERT_FALSE(events.has(CharacterEvent::stuck)) << where();
                 ASSERT_FALSE(events.has(CharacterEvent::overflow)) << where();

@@ -20,12 +20,25 @@
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
+/// How a character moves.
+enum class CharacterMode : std::uint8_t {
+    walk,  ///< on its feet, or falling
+    swim,  ///< in all directions, sinking slowly: you say when it is under water
+    fly,   ///< in all directions, without gravity, still meeting everything
+};
+
+/// Which of its bodies a character has.
+enum class CharacterForm : std::uint8_t { standing, crouched, in_air, on_ramp };
+
 /// What the player, or whoever steers, asks for in one tick.
 struct CharacterInput {
     dvec3 wish{0, 0, 0};     ///< the velocity that is wanted [m/s]; its part along `up` is ignored where feet walk
     dvec3 impulse{0, 0, 0};  ///< added to the velocity at the start of the tick: a blast, a jump pad [m/s]
     dvec3 up{0, 1, 0};       ///< against gravity; any length but zero. It may change from tick to tick
     bool jump = false;       ///< the button is held
+    bool crouch = false;     ///< the button is held; on a ladder: down
+    bool dash = false;       ///< the button is held
+    CharacterMode mode = CharacterMode::walk;
 };
 
 static_assert(std::is_trivially_copyable_v<CharacterInput>);
@@ -35,6 +48,14 @@ enum class Footing : std::uint8_t {
     air,     ///< nothing
     ground,  ///< something that is not too steep
     steep,   ///< something that is: it slides
+    ledge,   ///< it hangs on an edge, by its hands
+};
+
+/// What its hands do.
+enum class Hold : std::uint8_t {
+    none,
+    hanging,
+    climbing,  ///< up over the edge
 };
 
 /// All that a character is between two ticks: plain, without padding, comparable.
@@ -45,19 +66,27 @@ struct CharacterState {
     dvec3 ground_velocity{0, 0, 0};  ///< how fast that moves where it is stood on [m/s]
     double since_ground = 1e9;       ///< time since it was last on ground [s]
     double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
+    double since_wall = 1e9;         ///< time since it touched a wall [s]
+    double since_dash = 1e9;         ///< time since its last dash began [s]
+    dvec3 wall_normal{0, 0, 0};      ///< of that wall, or of the one under the edge that it holds
+    dvec3 ledge_point{0, 0, 0};      ///< of the edge that it holds [m]
+    double since_hold = 1e9;         ///< time since it let go of an edge [s]
     std::uint32_t ground_body = 0;   ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
     std::uint32_t air_jumps_left = 0;
     Footing footing = Footing::air;
-    std::uint8_t jump_held = 0;     ///< 1 if `jump` was held in the last tick
-    std::uint8_t is_jumping = 0;    ///< 1 while rising from a jump
-    std::uint8_t reserved[5] = {};  ///< zero
+    std::uint8_t jump_held = 0;   ///< 1 if `jump` was held in the last tick
+    std::uint8_t is_jumping = 0;  ///< 1 while rising from a jump
+    std::uint8_t dash_held = 0;   ///< 1 if `dash` was held in the last tick
+    CharacterForm form = CharacterForm::standing;
+    Hold hold = Hold::none;
+    std::uint8_t reserved[2] = {};  ///< zero
 
     friend bool operator==(const CharacterState&, const CharacterState&) = default;
 };
 
-static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 136);
+static_assert(std::is_trivially_copyable_v<CharacterState> && sizeof(CharacterState) == 208);
 
 /// What happened in one tick: a set of these.
 enum class CharacterEvent : std::uint32_t {
@@ -74,7 +103,14 @@ enum class CharacterEvent : std::uint32_t {
     sub_stepped = 1U << 10,  ///< the tick was longer than `longest_tick` and was done in parts
     overflow = 1U << 11,     ///< more triangles or contacts than there is room for: the move ended early
     pushed = 1U << 12,       ///< something that moves came against it
-    invalid = 1U << 13,      ///< something in the arguments is out of its range: the state is unchanged
+    dashed = 1U << 13,       ///< began a dash
+    climbing = 1U << 14,     ///< is on a ladder
+    grabbed_ledge = 1U << 17,
+    dropped_ledge = 1U << 18,
+    climbed_ledge = 1U << 19,
+    vaulted = 1U << 20,  ///< climbs over something by a press of jump
+    no_room = 1U << 15,  ///< would stand up or change its body, but there is no room
+    invalid = 1U << 16,  ///< something in the arguments is out of its range: the state is unchanged
 };
 
 /// The events of one tick, and what belongs to them.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include <surefoot/character_surface.hpp>
@@ -29,6 +30,12 @@ struct CharacterSettings {
     /// The body that meets the world, about its reference point [see shapes.hpp]. Its orientation is relative to `up`:
     /// with `up` = +Y it is the orientation in the world.
     Volume volume = Ellipsoid{{0.4, 0.9, 0.4}};
+
+    /// Other bodies for other situations; where there is none it is `volume`. The feet stay where they are when the
+    /// body changes, and it changes only where there is room for the new one.
+    std::optional<Volume> crouched{};  ///< while `crouch` is held
+    std::optional<Volume> in_air{};    ///< while nothing carries it
+    std::optional<Volume> on_ramp{};   ///< on ground that is not level
 
     /// How far from everything the body is kept, along the normal of what it meets [m, 1e-6 to a quarter of the
     /// smallest dimension]. It is what rounding and badly cut floors are lost in: bumps of less than half of it are not
@@ -69,6 +76,23 @@ struct CharacterSettings {
     double jump_buffer = 0.1;      ///< how long before landing a press of `jump` is remembered [s, >= 0]
     bool keeps_ground_velocity = true;  ///< takes the velocity of a lift or a train along when it leaves it
     std::uint32_t air_jumps = 0;        ///< jumps that need no ground, until the next landing
+
+    double wall_slide_speed = 0;     ///< the fastest fall while pressed against a wall [m/s, >= 0]; 0: no wall holds it
+    double wall_jump_speed = 0;      ///< away from the wall, in a jump off it [m/s, >= 0]; 0: there are none
+    double wall_coyote_time = 0.12;  ///< how long after the wall was touched a jump is still off it [s, >= 0]
+    double dash_speed = 0;           ///< in the direction of the wish, without gravity [m/s, >= 0]; 0: there is none
+    double dash_time = 0.2;          ///< how long a dash is [s, >= 0]
+    double dash_pause = 0.4;         ///< how long after one the next may begin [s, >= 0]
+    double swim_acceleration = 12;   ///< towards the wish, under water [m/s^2, >= 0]
+    double sink_speed = 0.3;         ///< downwards, under water without a wish [m/s]; below 0: it floats up
+    double fly_acceleration = 40;    ///< towards the wish, flying freely [m/s^2, >= 0]
+    double ladder_speed = 2.5;       ///< up surfaces that are ladders, while pressed against them [m/s, >= 0]; 0: none
+
+    double ledge_reach = 0;     ///< how far ahead of the body hands reach for an edge [m, >= 0]; 0: it holds none
+    double hands_height = 1.7;  ///< from the feet up to the hands that hold an edge [m, > 0]
+    double climb_speed = 3;     ///< up over an edge [m/s, > 0]
+    double shimmy_speed = 1.2;  ///< along it [m/s, >= 0]
+    double vault_height = 0;    ///< what is at most so high is climbed by a press of jump [m, >= 0]; 0: nothing is
 
     /// What the level's surfaces do; without a table all of it is firm ground.
     SurfaceRules surfaces{};

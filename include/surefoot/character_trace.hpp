@@ -34,6 +34,11 @@ enum class StepAct : std::uint8_t {
     jumped,          ///< with `value` upwards [m/s]
     landed,          ///< with `value` downwards [m/s]
     left_ground,
+    changed_form,   ///< took another of its bodies; the position moved up by `value` [m]
+    form_refused,   ///< there is no room for it
+    ledge_wall,     ///< a ball looked for a wall along `motion`, and met one after `value` of it, or none: 1
+    ledge_edge,     ///< a column was let down behind it by `motion`, and met the top after `value` of it, or nothing: 1
+    ledge_refused,  ///< see `rule`
     crushed,
     stuck,
     overflow,  ///< more triangles or planes than there is room for

@@ -9,6 +9,7 @@
 #include <surefoot/debug_draw.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>
+#include <surefoot/fixed_step.hpp>
 #include <surefoot/height_field.hpp>
 #include <surefoot/hit.hpp>
 #include <surefoot/march.hpp>

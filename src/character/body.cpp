@@ -38,15 +38,16 @@ double smallest_of(const Shape& shape) noexcept {
         shape);
 }
 
-Body body_of(const CharacterSettings& settings, const Vec& up) noexcept {
+Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     Body body;
-    body.volume = settings.volume;
+    body.volume = volume;
     if (!(up == Vec{0, 1, 0})) {
-        body.volume.orientation = to_dquat(product(turn_to(up), scaled_to_one(settings.volume.orientation)));
+        body.volume.orientation = to_dquat(product(turn_to(up), scaled_to_one(volume.orientation)));
     }
-    const GrownVolume kept_off = grown(body.volume, settings.skin);
+    const GrownVolume kept_off = grown(body.volume, skin);
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;
+    body.frame = Frame(body.volume.orientation);
     const auto reach = [&](const Vec& direction) noexcept { return reach_along(body.kept_off, direction); };
     body.above = Vec{reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})} + body.shift;
     body.below = Vec{-reach({-1, 0, 0}), -reach({0, -1, 0}), -reach({0, 0, -1})} + body.shift;
@@ -56,7 +57,7 @@ Body body_of(const CharacterSettings& settings, const Vec& up) noexcept {
     const Vec other = cross(up, across);
     body.half_width = larger(larger(reach_along(body.volume, across), reach_along(body.volume, -across)),
                              larger(reach_along(body.volume, other), reach_along(body.volume, -other)));
-    body.foot = reach_along(body.volume, -up);
+    body.foot = reach_along(body.kept_off, -up) - dot(body.shift, up);
     return body;
 }
 

@@ -8,8 +8,8 @@
 
 namespace surefoot::internal {
 
-/// `up` is of unit length. Requires: valid settings.
-[[nodiscard]] Body body_of(const CharacterSettings& settings, const Vec& up) noexcept;
+/// `up` is of unit length. Requires: a valid volume.
+[[nodiscard]] Body body_of(const Volume& volume, double skin, const Vec& up) noexcept;
 
 /// How far a volume reaches from its reference point along `direction`, which is of unit length [m].
 [[nodiscard]] double reach_along(const Volume& volume, const Vec& direction) noexcept;

@@ -67,7 +67,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         return ground;
     }
     Touches touches;
-    surroundings.sweep(body.kept_off, body.shift, body.below, body.above, position, down, touches);
+    surroundings.sweep(body, position, down, touches);
     double first = -1;
     for (const Touch& touch : touches.get()) {
         if (touch.status != HitStatus::ok) {

@@ -26,6 +26,9 @@ public:
 
     [[nodiscard]] std::span<const Vec> normals() const noexcept { return {normals_.data(), count_}; }
 
+    /// Is this normal there already, to rounding?
+    [[nodiscard]] bool has(const Vec& normal) const noexcept;
+
     /// Does `motion` violate none, within `along_tolerance`?
     [[nodiscard]] bool allow(const Vec& motion) const noexcept;
 

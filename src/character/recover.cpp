@@ -24,7 +24,10 @@ struct Push {
 class Recover {
 public:
     Recover(Surroundings& surroundings, const Body& body, const Gait& gait) noexcept
-        : surroundings_(surroundings), body_(body), gait_(gait), half_(grown(body.volume, 0.5 * gait.skin)),
+        : surroundings_(surroundings),
+          body_(body),
+          gait_(gait),
+          half_(grown(body.volume, 0.5 * gait.skin)),
           full_(grown(body.volume, gait.skin)) {}
 
     Recovery run(const Vec& from, double farthest) noexcept {
@@ -74,7 +77,7 @@ private:
 
     template <typename Visit>
     void for_all(const GrownVolume& grown_by, const Vec& position, const Visit& visit) const noexcept {
-        surroundings_.near(position + body_.below, position + body_.above, [&](const SourceTriangle& triangle) {
+        surroundings_.near_body(body_, position, [&](const SourceTriangle& triangle) {
             if (surroundings_.rule_of(triangle.surface).one_way) return;
             const auto found =
                 surefoot::overlap(grown_by.volume, to_dvec3(position + grown_by.shift), triangle.triangle);

@@ -83,7 +83,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, motion, touches_);
+        surroundings_.sweep(body_, result_.position, motion, touches_);
         return go_to_first(motion, way);
     }
 
@@ -107,8 +107,7 @@ private:
         };
         WorldQuery query = surroundings_.query();
         query.triangles = BodyTriangleFilter(exists);
-        const auto hit =
-            surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
+        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
         if (!hit) {
             result_.position = result_.position + motion;
             return true;
@@ -120,7 +119,7 @@ private:
             result_.overflow = true;
             return true;
         }
-        surroundings_.sweep(body_.kept_off, body_.shift, body_.below, body_.above, result_.position, near, touches_);
+        surroundings_.sweep(body_, result_.position, near, touches_);
         (void)go_to_first(near, 2 * size_);
         return false;
     }
@@ -154,7 +153,8 @@ private:
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {
-            if (dot(normal, motion) >= -along_tolerance * way) continue;
+            // What is obeyed already is so within rounding.
+            if (dot(normal, motion) >= -along_tolerance * way || result_.planes.has(normal)) continue;
             if (!in_the_way) tell(StepAct::touch, touch, touch.normal, StepRule::none, touch.t);
             if (faces.replaced) tell(StepAct::seam, touch, normal);
             in_the_way = true;

@@ -24,7 +24,9 @@ bool is_valid(const CharacterInput& input) noexcept {
 
 bool is_valid(const CharacterState& state) noexcept {
     return is_valid_point(state.position) && is_finite(state.velocity) && is_finite(state.ground_normal) &&
-           is_finite(state.ground_velocity) && state.since_ground >= 0 && state.since_jump_press >= 0;
+           is_finite(state.ground_velocity) && state.since_ground >= 0 && state.since_jump_press >= 0 &&
+           state.since_wall >= 0 && state.since_dash >= 0 && is_finite(state.wall_normal) &&
+           is_finite(state.ledge_point) && state.since_hold >= 0;
 }
 
 }  // namespace
@@ -53,19 +55,28 @@ CharacterEvents merged(const CharacterEvents& first, const CharacterEvents& seco
 }  // namespace
 
 bool is_valid(const CharacterSettings& settings) noexcept {
-    if (!is_valid(settings.volume)) return false;
+    for (const auto& volume : {std::optional(settings.volume), settings.crouched, settings.in_air, settings.on_ramp}) {
+        if (!volume) continue;
+        if (!is_valid(*volume)) return false;
+        if (!is_within(settings.skin, 1e-6, 0.25 * internal::smallest_of(volume->shape))) return false;
+    }
     const double lengths[] = {settings.step_up, settings.snap_down, settings.perch_distance, settings.jump_height};
-    const double rates[] = {settings.gravity,          settings.terminal_speed, settings.acceleration, settings.braking,
-                            settings.air_acceleration, settings.coyote_time,    settings.jump_buffer};
+    const double rates[] = {settings.gravity,          settings.terminal_speed,    settings.acceleration,
+                            settings.braking,          settings.air_acceleration,  settings.coyote_time,
+                            settings.jump_buffer,      settings.wall_slide_speed,  settings.wall_jump_speed,
+                            settings.wall_coyote_time, settings.dash_speed,        settings.dash_time,
+                            settings.dash_pause,       settings.swim_acceleration, settings.fly_acceleration,
+                            settings.ladder_speed,     settings.ledge_reach,       settings.hands_height,
+                            settings.climb_speed,      settings.shimmy_speed,      settings.vault_height};
     for (const double length : lengths) {
         if (!is_within(length, 0, 1e6)) return false;
     }
     for (const double rate : rates) {
         if (!is_within(rate, 0, plenty)) return false;
     }
-    return is_within(settings.skin, 1e-6, 0.25 * internal::smallest_of(settings.volume.shape)) &&
-           is_within(settings.slope_limit_deg, 0, 89) && is_within(settings.step_depth, 1e-6, 1e6) &&
-           is_within(settings.jump_cut, 1, 1e6) && is_within(settings.longest_tick, 1e-6, 60);
+    return is_within(settings.slope_limit_deg, 0, 89) && is_within(settings.step_depth, 1e-6, 1e6) &&
+           is_within(settings.jump_cut, 1, 1e6) && is_within(settings.sink_speed, -plenty, plenty) &&
+           is_within(settings.longest_tick, 1e-6, 60);
 }
 
 StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
@@ -81,7 +92,7 @@ StepResult step(const World& world, const CharacterSettings& settings, const Cha
     CharacterInput once = input;
     for (double done = 0; done < parts; ++done) {
         const internal::TickPart part{done / parts, (done + 1) / parts};
-        const StepResult next = internal::tick_once(world, settings, once, dt, part, result.state, trace);
+        const StepResult next = internal::tick_once({world, settings, once, dt, part, result.state, trace});
         result.state = next.state;
         result.events = merged(result.events, next.events);
         once.impulse = {0, 0, 0};
@@ -95,7 +106,7 @@ bool fits(const World& world, const CharacterSettings& settings, const dvec3& po
     const internal::Vec direction = internal::to_vec(up);
     const double size = internal::length(direction);
     if (!is_valid(settings) || !internal::is_valid_point(position) || !(size > 1e-6 && size < 1e6)) return false;
-    const internal::Body body = internal::body_of(settings, direction / size);
+    const internal::Body body = internal::body_of(settings.volume, settings.skin, direction / size);
     Overlap one;
     return world.overlap(body.volume, position, {&one, 1}, WorldQuery{.begin = 1, .end = 1}) == 0;
 }

@@ -41,13 +41,15 @@ bool Surroundings::cover(const Vec& min, const Vec& max) noexcept {
                max.x <= covered_.max.x && max.y <= covered_.max.y && max.z <= covered_.max.z;
     };
     if (inside()) return true;
-    const std::size_t count = world_.gather({to_dvec3(min), to_dvec3(max)}, triangles_, query_);
+    const std::size_t count = world_.gather({to_dvec3(min), to_dvec3(max)}, triangles_.all(), query_);
     if (count > most) {
         count_ = 0;
+        separated_ = nullptr;
         covered_ = {{1, 1, 1}, {-1, -1, -1}};
         return false;
     }
     count_ = count;
+    separated_ = nullptr;
     covered_ = {min, max};
     for (std::size_t i = 0; i < count_; ++i) {
         const Vec a = to_vec(triangles_[i].triangle.a);
@@ -71,14 +73,43 @@ void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& belo
         Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + above + Vec{hair, hair, hair};
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
     for (std::size_t i = 0; i < count_; ++i) {
-        if (!boxes_[i].meets(low, high)) continue;
-        const bool one_way = rules_[triangles_[i].surface].one_way;
-        if (one_way && !comes_from_front(volume, from + shift, triangles_[i].triangle, slack_)) continue;
-        const auto hit = sweep_triangle(volume, asked, triangles_[i].triangle, triangles_[i].id, query_.one_sided || one_way, 1,
-                                        nullptr, StartSign::rounded);
-        if (!hit) continue;
-        touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});
+        if (boxes_[i].meets(low, high)) ask(i, volume, asked, touches);
     }
+}
+
+void Surroundings::sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept {
+    touches.clear();
+    separate(body, from);
+    const Vec to = from + motion;
+    const Vec begins = from - separated_at_;
+    const Vec ends = to - separated_at_;
+    const Motion asked{to_dvec3(from + body.shift), to_dvec3(to + body.shift)};
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Separation& apart = separations_[i];
+        if (apart.gap + dot(apart.normal, begins) > hair_ && apart.gap + dot(apart.normal, ends) > hair_) continue;
+        ask(i, body.kept_off, asked, touches);
+    }
+}
+
+void Surroundings::ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept {
+    const bool one_way = rules_[triangles_[i].surface].one_way;
+    if (one_way && !comes_from_front(volume, to_vec(motion.from), triangles_[i].triangle, slack_)) return;
+    const auto hit = sweep_triangle(volume, motion, triangles_[i].triangle, triangles_[i].id,
+                                    query_.one_sided || one_way, 1, nullptr, StartSign::rounded);
+    if (!hit) return;
+    touches.add({hit->t, to_vec(hit->point), to_vec(hit->normal), i, hit->feature, hit->status});
+}
+
+void Surroundings::separate(const Body& body, const Vec& position) noexcept {
+    if (separated_ == &body) return;
+    separated_ = &body;
+    separated_at_ = position;
+    double largest_number = largest(position);
+    for (std::size_t i = 0; i < count_; ++i) {
+        separations_[i] = separation_of(body.kept_off.shape, body.frame, position + body.shift, triangles_[i].triangle);
+        largest_number = larger(largest_number, larger(largest(boxes_[i].min), largest(boxes_[i].max)));
+    }
+    hair_ = margin * 0x1p-10 * (largest_number + largest(body.above - body.below));
 }
 
 }  // namespace surefoot::internal

@@ -1,7 +1,6 @@
 // The triangles that one step may meet, taken out of the world once; then many questions are asked of them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -13,6 +12,9 @@
 #include <surefoot/shapes.hpp>
 #include <surefoot/world.hpp>
 
+#include "character/separation.hpp"
+#include "frame.hpp"
+#include "raw_array.hpp"
 #include "vec.hpp"
 
 namespace surefoot::internal {
@@ -23,8 +25,9 @@ struct Body {
     Volume kept_off;    ///< grown by the skin
     Vec shift;          ///< from the position to the reference point of `kept_off` [m]
     Vec below, above;   ///< corners of the box around `kept_off`, relative to the position [m]
+    Frame frame{dquat(1, 0, 0, 0)};  ///< of both
     double half_width;  ///< the largest horizontal reach of the volume from its axis [m]
-    double foot;        ///< how far the lowest point of the volume is from the position, along -up [m]
+    double foot;        ///< how far the lowest point of `kept_off` is from the position, along -up [m]
 };
 
 /// One touch on the way of a body.
@@ -47,7 +50,7 @@ public:
     [[nodiscard]] std::span<const Touch> get() const noexcept { return {touches_.data(), count_}; }
 
 private:
-    std::array<Touch, most> touches_{};
+    RawArray<Touch, most> touches_;
     std::size_t count_ = 0;
 };
 
@@ -79,6 +82,23 @@ public:
         }
     }
 
+    /// The same for the body itself, kept off by its skin, which is what most questions are about: a triangle that a
+    /// plane keeps apart from all of the motion is not asked.
+    void sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept;
+
+    /// The body has changed.
+    void forget_body() noexcept { separated_ = nullptr; }
+
+    /// Calls `visit(triangle)` for those that the body, kept off by its skin, may overlap at this place.
+    template <typename Visit>
+    void near_body(const Body& body, const Vec& position, const Visit& visit) noexcept {
+        separate(body, position);
+        const Vec moved = position - separated_at_;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (separations_[i].gap + dot(separations_[i].normal, moved) <= hair_) visit(triangles_[i]);
+        }
+    }
+
     [[nodiscard]] const World& world() const noexcept { return world_; }
     [[nodiscard]] SurfaceRule rule_of(std::uint32_t surface) const noexcept { return rules_[surface]; }
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
@@ -91,12 +111,17 @@ public:
 
 private:
     struct Box {
-        Vec min, max;
+        Vec min;
+        Vec max;
         [[nodiscard]] bool meets(const Vec& low, const Vec& high) const noexcept {
             return min.x <= high.x && min.y <= high.y && min.z <= high.z && max.x >= low.x && max.y >= low.y &&
                    max.z >= low.z;
         }
     };
+
+    // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.
+    void separate(const Body& body, const Vec& position) noexcept;
+    void ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept;
 
     const World& world_;
     WorldQuery query_;
@@ -105,8 +130,14 @@ private:
     StepTrace* trace_;
     std::size_t count_ = 0;
     Box covered_{{1, 1, 1}, {-1, -1, -1}};
-    std::array<SourceTriangle, most> triangles_;
-    std::array<Box, most> boxes_;
+    RawArray<SourceTriangle, most> triangles_;
+    RawArray<Box, most> boxes_;
+
+    // The planes, and what they were found for.
+    const Body* separated_ = nullptr;
+    Vec separated_at_;
+    double hair_ = 0;  // gaps below this may be rounding [m]
+    RawArray<Separation, most> separations_;
 };
 
 }  // namespace surefoot::internal

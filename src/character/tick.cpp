@@ -1,14 +1,9 @@
 #include "character/tick.hpp"
 
-#include <cmath>
-
 #include "angle.hpp"
 #include "character/body.hpp"
-#include "character/ground.hpp"
-#include "character/motion.hpp"
+#include "character/form.hpp"
 #include "character/recover.hpp"
-#include "character/slide.hpp"
-#include "character/walk.hpp"
 
 namespace surefoot::internal {
 
@@ -17,290 +12,173 @@ namespace {
 // How fast a body gets out of what it begins inside of [m/s].
 constexpr double recovery_speed = 10;
 
-// How far above ground a body that comes down is standing on it, as a share of the skin.
-constexpr double touching = 0.5;
-
-class Tick {
-public:
-    Tick(const World& world, const CharacterSettings& settings, const CharacterInput& input, double tick,
-         const TickPart& part, const CharacterState& state, StepTrace* trace) noexcept
-        : settings_(settings),
-          input_(input),
-          tick_(tick),
-          part_(part),
-          dt_(tick * (part.end - part.begin)),
-          up_(to_vec(input.up) / length(to_vec(input.up))),
-          body_(body_of(settings, up_)),
-          surroundings_(world, WorldQuery{.begin = part.end, .end = part.end}, settings.surfaces, settings.skin, trace) {
-        result_.state = state;
-        gait_.up = up_;
-        gait_.least_ground_up = cosine_deg(settings.slope_limit_deg);
-        gait_.skin = settings.skin;
-        gait_.stops = settings.response == Response::stop;
-        position_ = to_vec(state.position);
-        velocity_ = to_vec(state.velocity) + to_vec(input.impulse);
+StepResult finish(Tick& tick) noexcept {
+    CharacterState& after = tick.state;
+    after.position = to_dvec3(tick.position);
+    after.velocity = to_dvec3(tick.velocity);
+    after.footing = tick.standing                           ? Footing::ground
+                    : tick.ground.footing == Footing::steep ? Footing::steep
+                                                            : Footing::air;
+    if (tick.standing) {
+        after.since_ground = 0;
+        after.air_jumps_left = tick.settings.air_jumps;
     }
-
-    StepResult run() noexcept {
-        remember_buttons();
-        ride();
-        cover_all();
-        get_out();
-        stand();
-        jump();
-        if (standing_) {
-            go_on_foot();
-        } else {
-            fall(dt_);
-        }
-        return finish();
+    if (after.hold != Hold::none) {
+        after.footing = Footing::ledge;
+        after.ground_normal = {0, 0, 0};
+        after.ground_velocity = {0, 0, 0};
+        return {after, tick.events};
     }
-
-private:
-    CharacterState& state() noexcept { return result_.state; }
-    void say(CharacterEvent event) noexcept { result_.events.set |= static_cast<std::uint32_t>(event); }
-    void tell(StepRecord record) const noexcept {
-        surroundings_.tell([&] {
-            record.position = to_dvec3(position_);
-            return record;
-        });
-    }
-    void tell(StepAct act, const Ground& ground, double value = 0) const noexcept {
-        tell({.point = to_dvec3(ground.point),
-              .normal = to_dvec3(ground.normal),
-              .value = ground.rule == StepRule::none ? value : ground.value,
-              .limit = ground.limit,
-              .triangle = ground.triangle,
-              .body = ground.body,
-              .act = act,
-              .rule = ground.rule});
-    }
-    Vec level(const Vec& v) const noexcept { return v - up_ * dot(v, up_); }
-
-    // One gather for all questions of this tick, if it is short enough.
-    void cover_all() noexcept {
-        const double way = (length(velocity_) + length(to_vec(input_.wish))) * dt_ + settings_.step_depth +
-                           0.5 * settings_.gravity * dt_ * dt_ + 3 * settings_.skin;
-        if (way > 4 * largest(body_.above - body_.below)) return;
-        const double vertical = larger(way, larger(settings_.step_up, settings_.snap_down) + 3 * settings_.skin);
-        const Vec reach{way + (vertical - way) * absolute(up_.x), way + (vertical - way) * absolute(up_.y),
-                        way + (vertical - way) * absolute(up_.z)};
-        (void)surroundings_.cover(position_ + body_.below - reach, position_ + body_.above + reach);
-    }
-
-    void remember_buttons() noexcept {
-        state().since_jump_press += dt_;
-        if (input_.jump && state().jump_held == 0) state().since_jump_press = 0;
-        state().jump_held = input_.jump ? 1 : 0;
-        state().since_ground += dt_;
-    }
-
-    void ride() noexcept {
-        const BodyHandle support =
-            state().footing == Footing::air ? BodyHandle{} : surroundings_.world().find(state().ground_body);
-        const Carried carried = carry(surroundings_.world(), body_, gait_, position_, support, part_);
-        if (carried.moved) {
-            tell({.motion = to_dvec3(carried.position - position_),
-                  .body = state().ground_body,
-                  .act = StepAct::carried});
-        }
-        position_ = carried.position;
-        if (carried.crushed) {
-            say(CharacterEvent::crushed);
-            tell({.act = StepAct::crushed});
-        }
-        if (carried.pushed) say(CharacterEvent::pushed);
-    }
-
-    void get_out() noexcept {
-        const Recovery recovery = recover(surroundings_, body_, gait_, position_, recovery_speed * dt_);
-        if (recovery.moved) {
-            say(CharacterEvent::recovered);
-            tell({.motion = to_dvec3(recovery.position - position_), .act = StepAct::recovered});
-        }
-        position_ = recovery.position;
-        if (recovery.stuck) {
-            say(CharacterEvent::stuck);
-            tell({.act = StepAct::stuck});
-        }
-    }
-
-    // Is it on the ground now? Whoever was keeps to it within the snap distance; whoever was not has to touch it.
-    void stand() noexcept {
-        const bool was_standing = state().footing == Footing::ground;
-        if (dot(velocity_, up_) > 1e-9 && !was_standing) return;
-        const GroundRule rule{settings_.perch_distance, direction(level(to_vec(input_.wish))), settings_.snap_down};
-        const double depth = was_standing ? settings_.snap_down + settings_.skin : touching * settings_.skin;
-        ground_ = ground_under(surroundings_, body_, gait_, rule, position_, depth);
-        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
-        standing_ = ground_.footing == Footing::ground;
-        tell(standing_ ? StepAct::ground : StepAct::no_ground, ground_, ground_.distance);
-        if (dot(to_vec(input_.impulse), up_) > 0) standing_ = false;
-    }
-
-    static Vec direction(const Vec& v) noexcept {
-        const double size = length(v);
-        return size > 0 ? v / size : Vec{};
-    }
-
-    void jump() noexcept {
-        if (state().since_jump_press > settings_.jump_buffer) return;
-        const bool from_ground =
-            standing_ || (state().since_ground <= settings_.coyote_time && state().is_jumping == 0);
-        if (!from_ground && (state().air_jumps_left == 0 || state().since_jump_press > 0)) return;
-        if (!from_ground) --state().air_jumps_left;
-        const double speed = std::sqrt(2 * settings_.gravity * settings_.jump_height);
-        velocity_ = level(velocity_) + up_ * speed;
-        if (standing_) velocity_ = velocity_ + left_behind();
-        state().since_jump_press = 1e9;
-        state().since_ground = 1e9;
-        state().is_jumping = 1;
-        standing_ = false;
-        say(CharacterEvent::jumped);
-        tell({.value = speed, .act = StepAct::jumped});
-    }
-
-    void go_on_foot() noexcept {
-        const Vec wish = level(to_vec(input_.wish));
-        const Vec before = level(velocity_);
-        const SurfaceRule rule = settings_.surfaces[ground_.surface];
-        const double rate = dot(wish, wish) < dot(before, before) ? settings_.braking : settings_.acceleration;
-        Travel travel = accelerate(before, wish, rate * rule.grip, dt_);
-        travel.way = travel.way + level(conveyor_velocity(rule)) * dt_;
-        tell({.motion = to_dvec3(travel.way), .act = StepAct::wants});
-        Gait on_foot = gait_;
-        on_foot.on_foot = true;
-        const WalkResult walked =
-            walk(surroundings_, body_, on_foot, settings_, position_, ground_, travel.way, travel.velocity);
-        position_ = walked.position;
-        velocity_ = walked.velocity;
-        ground_ = walked.ground;
-        if (walked.stepped_up) say(CharacterEvent::stepped_up);
-        if (walked.snapped_down) say(CharacterEvent::snapped_down);
-        if (walked.overflow) say(CharacterEvent::overflow);
-        if (walked.met_ceiling) say(CharacterEvent::hit_ceiling);
-        tell_obstacle(walked.obstacle);
-        if (ground_.footing == Footing::ground) return;
-        standing_ = false;
-        velocity_ = velocity_ + left_behind();
-        say(CharacterEvent::left_ground);
-        tell(StepAct::left_ground, ground_);
-        state().since_ground = dt_ * (1 - walked.done);
-        if (walked.done < 1) fall(dt_ * (1 - walked.done));
-    }
-
-    void fall(double seconds) noexcept {
-        const double speed = dot(velocity_, up_);
-        const bool cut = state().is_jumping != 0 && !input_.jump;
-        const double rising = settings_.gravity * (cut ? settings_.jump_cut : 1);
-        const Flight flight = fly(speed, rising, settings_.gravity, settings_.terminal_speed, seconds);
-        const Travel travel =
-            accelerate(level(velocity_), level(to_vec(input_.wish)), settings_.air_acceleration, seconds);
-        tell({.motion = to_dvec3(travel.way + up_ * flight.rise), .act = StepAct::wants});
-        Planes3 none;
-        const SlideResult slid = slide(surroundings_, body_, gait_, position_, travel.way + up_ * flight.rise, none);
-        velocity_ = travel.velocity + up_ * flight.speed;
-        const double into_ground = dot(velocity_, up_);
-        position_ = slid.position;
-        if (slid.overflow) say(CharacterEvent::overflow);
-        if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
-        velocity_ = slid.planes.nearest_to(velocity_);
-        tell_obstacle(slid.obstacle);
-        if (dot(velocity_, up_) <= 0) state().is_jumping = 0;
-        land(into_ground);
-    }
-
-    // What the character takes along from ground that moved.
-    Vec left_behind() const noexcept {
-        return settings_.keeps_ground_velocity ? to_vec(result_.state.ground_velocity) : Vec{};
-    }
-
-    Vec conveyor_velocity(const SurfaceRule& rule) const noexcept {
-        const Vec belt = to_vec(rule.conveyor);
-        const World& world = surroundings_.world();
-        const BodyHandle handle = world.find(ground_.body);
-        if (belt == Vec{} || !world.contains(handle)) return {};
-        const Pose pose = world.poses(handle).end;
-        return to_vec(to_world(pose, rule.conveyor)) - to_vec(pose.position);
-    }
-
-    // How fast the ground under it moves.
-    Vec velocity_of(const Ground& ground) const noexcept {
-        const World& world = surroundings_.world();
-        const BodyHandle handle = world.find(ground.body);
-        if (!moves(world, handle)) return {};
-        // Where the point of touch was at the start of the tick is what the world is asked about.
-        const Vec before = ground.point - (to_vec(world.carried(handle, to_dvec3(ground.point))) - ground.point);
-        return to_vec(world.velocity_at(handle, to_dvec3(before), tick_));
-    }
-
-    void land(double upward_speed) noexcept {
-        if (dot(velocity_, up_) > 1e-9 + larger(0, dot(velocity_of(ground_), up_))) {
-            ground_ = {};
-            return;
-        }
-        const GroundRule rule{settings_.perch_distance, {}};
-        ground_ = ground_under(surroundings_, body_, gait_, rule, position_, touching * settings_.skin);
-        stand_if_wedged(surroundings_, body_, gait_, position_, ground_);
-        if (ground_.footing != Footing::ground) return;
-        standing_ = true;
-        state().is_jumping = 0;
-        velocity_ = level(velocity_ - velocity_of(ground_));
-        if (state().footing != Footing::ground) {
-            say(CharacterEvent::landed);
-            tell(StepAct::landed, ground_, larger(0, -upward_speed));
-            result_.events.landing_speed = larger(0, -upward_speed);
-        }
-    }
-
-    void tell_obstacle(const Obstacle& obstacle) noexcept {
-        if (obstacle.normal == Vec{}) return;
-        if (dot(obstacle.normal, up_) >= gait_.least_ground_up) return;
-        say(CharacterEvent::blocked);
-        result_.events.blocked_by = to_dvec3(obstacle.normal);
-        result_.events.blocked_body = obstacle.body;
-        result_.events.blocked_triangle = obstacle.triangle;
-    }
-
-    StepResult finish() noexcept {
-        CharacterState& after = state();
-        after.position = to_dvec3(position_);
-        after.velocity = to_dvec3(velocity_);
-        after.footing = standing_ ? Footing::ground : ground_.footing == Footing::steep ? Footing::steep : Footing::air;
-        if (standing_) {
-            after.since_ground = 0;
-            after.air_jumps_left = settings_.air_jumps;
-        }
-        const bool carried = after.footing != Footing::air;
-        after.ground_normal = carried ? to_dvec3(ground_.normal) : dvec3{0, 0, 0};
-        after.ground_velocity = carried ? to_dvec3(velocity_of(ground_)) : dvec3{0, 0, 0};
-        after.ground_body = carried ? ground_.body : 0;
-        after.ground_triangle = carried ? ground_.triangle : 0;
-        after.ground_surface = carried ? ground_.surface : 0;
-        return result_;
-    }
-
-    const CharacterSettings& settings_;
-    const CharacterInput& input_;
-    double tick_;    // all of the world's tick [s]
-    TickPart part_;  // the part of it that is done here
-    double dt_;      // how long that is [s]
-    Vec up_;
-    Body body_;
-    Gait gait_{};
-    Surroundings surroundings_;
-    StepResult result_{};
-    Vec position_;
-    Vec velocity_;
-    Ground ground_{};
-    bool standing_ = false;
-};
+    const bool carried = after.footing != Footing::air;
+    after.ground_normal = carried ? to_dvec3(tick.ground.normal) : dvec3{0, 0, 0};
+    after.ground_velocity = carried ? to_dvec3(velocity_of(tick, tick.ground)) : dvec3{0, 0, 0};
+    after.ground_body = carried ? tick.ground.body : 0;
+    after.ground_triangle = carried ? tick.ground.triangle : 0;
+    after.ground_surface = carried ? tick.ground.surface : 0;
+    return {after, tick.events};
+}
 
 }  // namespace
 
-StepResult tick_once(const World& world, const CharacterSettings& settings, const CharacterInput& input, double tick,
-                     const TickPart& part, const CharacterState& state, StepTrace* trace) noexcept {
-    return Tick(world, settings, input, tick, part, state, trace).run();
+Tick::Tick(const TickArguments& arguments) noexcept
+    : settings(arguments.settings),
+      input(arguments.input),
+      whole(arguments.tick),
+      part(arguments.part),
+      dt(whole * (part.end - part.begin)),
+      up(to_vec(input.up) / length(to_vec(input.up))),
+      wish(level(to_vec(input.wish))),
+      body(body_of(volume_of(settings, arguments.state.form), settings.skin, up)),
+      surroundings(arguments.world, WorldQuery{.begin = part.end, .end = part.end}, settings.surfaces, settings.skin,
+                   arguments.trace),
+      state(arguments.state),
+      position(to_vec(state.position)),
+      velocity(to_vec(state.velocity) + to_vec(input.impulse)) {
+    gait.up = up;
+    gait.least_ground_up = cosine_deg(settings.slope_limit_deg);
+    gait.skin = settings.skin;
+    gait.stops = settings.response == Response::stop;
+}
+
+void Tick::tell(StepRecord record) const noexcept {
+    surroundings.tell([&] {
+        record.position = to_dvec3(position);
+        return record;
+    });
+}
+
+void Tick::tell(StepAct act, const Ground& about, double value) const noexcept {
+    tell({.point = to_dvec3(about.point),
+          .normal = to_dvec3(about.normal),
+          .value = about.rule == StepRule::none ? value : about.value,
+          .limit = about.limit,
+          .triangle = about.triangle,
+          .body = about.body,
+          .act = act,
+          .rule = about.rule});
+}
+
+void Tick::glide(const Vec& way, const Vec& velocity_after) noexcept {
+    tell({.motion = to_dvec3(way), .act = StepAct::wants});
+    const SlideResult slid = slide(surroundings, body, gait, position, way, {});
+    position = slid.position;
+    velocity = slid.planes.nearest_to(velocity_after);
+    if (slid.overflow) say(CharacterEvent::overflow);
+    if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
+    tell_obstacle(slid.obstacle);
+}
+
+void Tick::tell_obstacle(const Obstacle& obstacle) noexcept {
+    if (obstacle.normal == Vec{}) return;
+    const double rises = dot(obstacle.normal, up);
+    if (rises >= gait.least_ground_up) return;
+    say(CharacterEvent::blocked);
+    events.blocked_by = to_dvec3(obstacle.normal);
+    events.blocked_body = obstacle.body;
+    events.blocked_triangle = obstacle.triangle;
+    if (absolute(rises) < wall_rises_at_most) {
+        state.wall_normal = to_dvec3(obstacle.normal);
+        state.since_wall = 0;
+    }
+}
+
+void remember_buttons(Tick& tick) noexcept {
+    CharacterState& state = tick.state;
+    state.since_jump_press += tick.dt;
+    if (tick.input.jump && state.jump_held == 0) state.since_jump_press = 0;
+    state.jump_held = tick.input.jump ? 1 : 0;
+    state.since_ground += tick.dt;
+    state.since_wall += tick.dt;
+    state.since_dash += tick.dt;
+    state.since_hold += tick.dt;
+}
+
+void ride(Tick& tick) noexcept {
+    const BodyHandle support =
+        tick.state.footing == Footing::air ? BodyHandle{} : tick.world().find(tick.state.ground_body);
+    const Carried carried = carry(tick.world(), tick.body, tick.gait, tick.position, support, tick.part);
+    if (carried.moved) {
+        tick.tell({.motion = to_dvec3(carried.position - tick.position),
+                   .body = tick.state.ground_body,
+                   .act = StepAct::carried});
+    }
+    tick.position = carried.position;
+    if (carried.pushed) tick.say(CharacterEvent::pushed);
+    if (!carried.crushed) return;
+    tick.say(CharacterEvent::crushed);
+    tick.tell({.act = StepAct::crushed});
+}
+
+void look_around(Tick& tick) noexcept {
+    const CharacterSettings& settings = tick.settings;
+    // Steps look farther ahead and up, and gather again; most ticks have none.
+    const double speed = larger(length(tick.velocity), length(to_vec(tick.input.wish)));
+    const double way = (speed + settings.gravity * tick.dt) * tick.dt + 3 * settings.skin;
+    if (way > 4 * largest(tick.body.above - tick.body.below)) return;
+    const bool on_foot = tick.state.footing == Footing::ground;
+    const double deep = larger(way, on_foot ? settings.snap_down + 3 * settings.skin : 0);
+    const Vec around = Vec{1, 1, 1} * way;
+    const Vec down = tick.up * (way - deep);
+    const Vec low = tick.position + tick.body.below - around;
+    const Vec high = tick.position + tick.body.above + around;
+    (void)tick.surroundings.cover(
+        {smaller(low.x, low.x + down.x), smaller(low.y, low.y + down.y), smaller(low.z, low.z + down.z)},
+        {larger(high.x, high.x + down.x), larger(high.y, high.y + down.y), larger(high.z, high.z + down.z)});
+}
+
+void get_out(Tick& tick) noexcept {
+    const Recovery recovery = recover(tick.surroundings, tick.body, tick.gait, tick.position, recovery_speed * tick.dt);
+    if (recovery.moved) {
+        tick.say(CharacterEvent::recovered);
+        tick.tell({.motion = to_dvec3(recovery.position - tick.position), .act = StepAct::recovered});
+    }
+    tick.position = recovery.position;
+    if (!recovery.stuck) return;
+    tick.say(CharacterEvent::stuck);
+    tick.tell({.act = StepAct::stuck});
+}
+
+StepResult tick_once(const TickArguments& arguments) noexcept {
+    Tick now(arguments);
+    remember_buttons(now);
+    ride(now);
+    look_around(now);
+    get_out(now);
+    change_form(now);
+    if (arguments.input.mode != CharacterMode::walk) {
+        move_freely(now);
+        return finish(now);
+    }
+    stand(now);
+    if (hold_ledge(now)) return finish(now);
+    leap(now);
+    if (climb(now)) return finish(now);
+    if (now.standing) {
+        go_on_foot(now, now.dt);
+    } else {
+        fall(now, now.dt);
+    }
+    return finish(now);
 }
 
 }  // namespace surefoot::internal
