@@ -71,6 +71,10 @@ std::string text_of(const Run& run) {
             for (std::size_t corner = k; corner < k + 3; ++corner) add(out, body.triangles.indices[corner]);
             out += '\n';
         }
+        if (!body.path) continue;
+        out += "moves";
+        add(out, i);
+        out += '\n';
     }
     out += "start";
     add_vector(out, run.start);

@@ -31,7 +31,8 @@ struct Score {
 /// `progress` is told the share that is done [0 to 1].
 [[nodiscard]] Score run_scene(const Scene& scene, Mover& mover, const std::function<void(double)>& progress = {});
 
-/// One run, without measuring: for whoever wants to watch.
+/// One run, without measuring: for whoever wants to watch. What comes back refers to the run.
 [[nodiscard]] Outing walk_run(const Run& run, Mover& mover);
+Outing walk_run(Run&& run, Mover& mover) = delete;
 
 }  // namespace surefoot::course

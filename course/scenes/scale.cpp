@@ -109,7 +109,7 @@ Scene open_ground() {
     for (int i = 0; i < 100; ++i) wishes.push_back(heading(dice.from(0, 360), dice.from(1, 5)));
     for (const double rate : rates) {
         Run run = run_at(
-            text_of(rate) + " Hz", level, {0.3, 0.6, 0.2},
+            text_of(rate) + " Hz", level, {0.3, 0.2, 0.2},
             [wishes](double time, const Spot&) {
                 return Input{wishes[static_cast<std::size_t>(time * 15 + 1e-6) % wishes.size()]};
             },
@@ -123,6 +123,32 @@ Scene open_ground() {
                    divergence([](const Run& run) { return 0.01 + 0.1 * 5 * run.dt(); })},
                   ground_bar(),
                   depth_bar()};
+    return scene;
+}
+
+Scene landings() {
+    Scene scene{"rates-land", "falls on slopes that can be stood on, at 15 to 960 Hz", {}, {}, {}};
+    for (const double degrees : {10.0, 25.0, 40.0}) {
+        const double c = 20 * std::cos(radians(degrees)), s = 20 * std::sin(radians(degrees));
+        const LevelPointer level =
+            level_of(Triangles().sheet({-c, -s, -20}, {-c, -s, 20}, {c, s, 20}, {c, s, -20}, 20, 20));
+        for (const double rate : rates) {
+            Run run = run_at(text_of(degrees) + " degrees, " + text_of(rate) + " Hz", level, {0, 1.5, 0}, walk({}), 2);
+            run.rate = rate;
+            run.settle = 0;
+            scene.runs.push_back(run);
+        }
+    }
+    scene.bars = {
+        {"slides on landing beyond 1 cm + 0.1 v dt", "m", 0,
+         "ground that can be stood on ends a fall where it is met; a tick's motion is the most that is uncertain",
+         each([](const Outing& outing) {
+             const double v = std::sqrt(2 * hero().gravity * 1.5);
+             const dvec3 way = outing.last().position - outing.run->start;
+             return std::hypot(way.x, way.z) - 0.01 - 0.1 * v * outing.run->dt();
+         })},
+        rest_bar(0.5),
+        depth_bar()};
     return scene;
 }
 
@@ -184,7 +210,7 @@ Scene gaps() {
 }  // namespace
 
 void add_scale(Scenes& scenes) {
-    for (const auto make : {far_away, sizes, open_ground, jumps, gaps}) scenes.push_back(make());
+    for (const auto make : {far_away, sizes, open_ground, landings, jumps, gaps}) scenes.push_back(make());
 }
 
 }  // namespace surefoot::course

@@ -47,7 +47,7 @@ Bar pace_bar() {
 }
 
 Bar only_rises_bar() {
-    return {"falls back", "m a tick", skin, "stairs up only rise", each([](const Outing& outing) {
+    return {"falls back", "m a tick", skin, "whoever walks up stairs only rises", each([](const Outing& outing) {
                 Worst worst;
                 const auto spots = outing.scripted();
                 for (std::size_t i = 1; i < spots.size(); ++i)
@@ -57,7 +57,7 @@ Bar only_rises_bar() {
 }
 
 Bar only_falls_bar() {
-    return {"rises", "m a tick", skin, "stairs down only fall", each(rise_in_a_tick)};
+    return {"rises", "m a tick", skin, "whoever walks down stairs only gets lower", each(rise_in_a_tick)};
 }
 
 Scene up() {
@@ -167,7 +167,8 @@ Scene spiral() {
     const double seconds = turn * spiral_radius / 2;
     const LevelPointer level = spiral_level();
     const double top = spiral_steps * spiral_rise;
-    scene.runs.push_back(run_at("to " + text_of(top), level, heading(-approach_degrees, spiral_radius), around(1), seconds));
+    scene.runs.push_back(
+        run_at("to " + text_of(top), level, heading(-approach_degrees, spiral_radius), around(1), seconds));
     scene.runs.push_back(run_at("to 0", level,
                                 heading(tread_degrees * (spiral_steps - 0.5), spiral_radius) + dvec3{0, top, 0},
                                 around(-1), seconds));
