@@ -8,8 +8,13 @@ const Jolt = await initialise();
 // `node jolt.mjs edges` has Jolt remove the inner edges of meshes, an option that is off by default.
 const removes_edges = process.argv[2] === 'edges';
 const standing = 0, moving = 1;  // object layers, and those of the broad phase
-const at = (v) => new Jolt.RVec3(v.x, v.y, v.z);
-const turned = (q) => new Jolt.Quat(q.x, q.y, q.z, q.w);
+// What is made for one call is given back after it: WebAssembly's memory knows no garbage collection.
+let made = [];
+const brief = (object) => { made.push(object); return object; };
+const give_back = () => { made.forEach((object) => Jolt.destroy(object)); made = []; };
+const at = (v) => brief(new Jolt.RVec3(v.x, v.y, v.z));
+const along = (x, y, z) => brief(new Jolt.Vec3(x, y, z));
+const turned = (q) => brief(new Jolt.Quat(q.x, q.y, q.z, q.w));
 
 function make_system() {
     const settings = new Jolt.JoltSettings();
@@ -72,23 +77,24 @@ class Walker {
         described.mMaxSlopeAngle = (settings.slope_limit_deg * Math.PI) / 180;
         described.mShape = new Jolt.CapsuleShape(settings.half_height, settings.radius);
         described.mEnhancedInternalEdgeRemoval = removes_edges;
-        described.mSupportingVolume = new Jolt.Plane(new Jolt.Vec3(0, 1, 0), settings.half_height);
+        described.mSupportingVolume = brief(new Jolt.Plane(along(0, 1, 0), settings.half_height));
         this.character = new Jolt.CharacterVirtual(described, at(start), Jolt.Quat.prototype.sIdentity(), this.system);
         this.character.SetListener(this.listener);
-        this.update = new Jolt.ExtendedUpdateSettings();
-        this.update.mStickToFloorStepDown = new Jolt.Vec3(0, -settings.snap_down, 0);
-        this.update.mWalkStairsStepUp = new Jolt.Vec3(0, settings.step_up, 0);
+        this.update ??= new Jolt.ExtendedUpdateSettings();
+        this.update.mStickToFloorStepDown = along(0, -settings.snap_down, 0);
+        this.update.mWalkStairsStepUp = along(0, settings.step_up, 0);
         this.jump_held = false;
+        give_back();
     }
 
     add({ number, vertices, indices, pose, moves }) {
         const corners = new Jolt.VertexList();
         for (let i = 0; i < vertices.length; i += 3)
-            corners.push_back(new Jolt.Float3(vertices[i], vertices[i + 1], vertices[i + 2]));
+            corners.push_back(brief(new Jolt.Float3(vertices[i], vertices[i + 1], vertices[i + 2])));
         const triangles = new Jolt.IndexedTriangleList();
         for (let i = 0; i < indices.length; i += 3)
-            triangles.push_back(new Jolt.IndexedTriangle(indices[i], indices[i + 1], indices[i + 2], 0));
-        const mesh = new Jolt.MeshShapeSettings(corners, triangles, new Jolt.PhysicsMaterialList());
+            triangles.push_back(brief(new Jolt.IndexedTriangle(indices[i], indices[i + 1], indices[i + 2], 0)));
+        const mesh = new Jolt.MeshShapeSettings(corners, triangles, brief(new Jolt.PhysicsMaterialList()));
         mesh.Sanitize();
         const shape = mesh.Create();
         if (shape.HasError()) throw new Error(shape.GetError().c_str());
@@ -98,7 +104,8 @@ class Walker {
         const body = this.interface.CreateBody(described);
         this.interface.AddBody(body.GetID(), Jolt.EActivation_Activate);
         this.bodies.set(number, body.GetID());
-        for (const object of [corners, triangles, described]) Jolt.destroy(object);
+        for (const object of [described, mesh, corners, triangles]) Jolt.destroy(object);
+        give_back();
     }
 
     tick({ dt, wish, jump, poses }) {
@@ -120,11 +127,12 @@ class Walker {
             if (pressed) velocity.y += Math.sqrt(2 * gravity * jump_height);
         }
         velocity.y -= gravity * dt;
-        character.SetLinearVelocity(new Jolt.Vec3(velocity.x, velocity.y, velocity.z));
+        character.SetLinearVelocity(along(velocity.x, velocity.y, velocity.z));
         character.ExtendedUpdate(
-            dt, new Jolt.Vec3(0, -gravity, 0), this.update, ...this.filters, this.jolt.GetTempAllocator());
+            dt, along(0, -gravity, 0), this.update, ...this.filters, this.jolt.GetTempAllocator());
         // As in the sample, the world's own step comes after the character's.
         this.jolt.Step(dt, 1);
+        give_back();
         const place = character.GetPosition();
         return {
             x: place.GetX(), y: place.GetY(), z: place.GetZ(),
