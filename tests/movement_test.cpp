@@ -174,6 +174,30 @@ TEST(Movement, ABodyWedgedBetweenSteepThingsStandsAndCanJumpOut) {
     }
 }
 
+TEST(Movement, WhoBeginsInsideOfSomethingGetsOutAndSaysSo) {
+    const World world =
+        Scene().floor(-9, 9, -9, 9).block({0, -0.5, -5}, {1, 3, 5}).block({-6, 1.4, -3}, {-3, 3, 3}).world();
+    // In a wall, in the floor, and between a floor and a ceiling that leave no room for it, where only sideways is out.
+    for (const dvec3& place : {dvec3{-0.1, 1, 0}, dvec3{-2, 0.3, 0}, dvec3{-3.3, 0.7, 0}}) {
+        Actor actor;
+        actor.state.position = place;
+        actor.run(world, 1);
+        EXPECT_TRUE(actor.did(CharacterEvent::recovered)) << place.x;
+        EXPECT_TRUE(fits(world, actor.settings, actor.state.position)) << place.x;
+        EXPECT_TRUE(actor.on_ground()) << place.x;
+        EXPECT_LT(actor.state.position.x, 0);
+    }
+}
+
+TEST(Movement, WhoHasNoRoomAnywhereNearIsStuckAndStays) {
+    const World world = Scene().block({-1, 0, -1}, {1, 1, 1}).world();
+    Actor actor;
+    actor.state.position = {0, 0.5, 0};
+    const StepResult result = step(world, actor.settings, {}, 1.0 / 60, actor.state);
+    EXPECT_TRUE(result.events.has(CharacterEvent::stuck));
+    EXPECT_EQ(result.state.position, actor.state.position);
+}
+
 TEST(Movement, BadNumbersLeaveTheStateAsItWasAndSayInvalid) {
     const World world = Scene().floor(-5, 5, -5, 5).world();
     CharacterState state;

@@ -9,11 +9,14 @@ namespace {
 // Touches within this share of the skin below the first are held by as well.
 constexpr double together = 0.25;
 
+// Who walks at an edge at a smaller angle than this (as a sine) walks along it.
+constexpr double towards_at_least = 0.1;
+
 // Walking off an edge: does the ground go on below it, near enough to be followed? Asked of a place that is clear of
 // the edge.
 bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
-                   const Vec& position, const Vec& edge, double behind) noexcept {
-    const Vec clear = position + rule.towards * (body.half_width + 2 * gait.skin - behind);
+                   const Vec& position, const Vec& edge, const Vec& aside) noexcept {
+    const Vec clear = position - aside * ((body.half_width + 2 * gait.skin) / length(aside) - 1);
     const GroundRule strict{rule.perch_distance, {}};
     const Ground below = ground_under(surroundings, body, gait, strict, clear, 2 * rule.follows + gait.skin);
     if (!below.trusted || below.footing != Footing::ground) return false;
@@ -24,9 +27,9 @@ bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gai
 bool holds_walking(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
                    const Vec& position, const Vec& edge, const Vec& aside) noexcept {
     const double ahead = dot(aside, rule.towards);
-    if (ahead > 0.5 * length(aside)) return true;  // up on to it
-    if (ahead > -0.5 * length(aside) || !(rule.follows > 0)) return false;
-    return goes_on_below(surroundings, body, gait, rule, position, edge, -ahead);
+    if (ahead > towards_at_least * length(aside)) return true;  // up on to it
+    if (ahead > -towards_at_least * length(aside) || !(rule.follows > 0)) return false;
+    return goes_on_below(surroundings, body, gait, rule, position, edge, aside);
 }
 
 // Whether a touch holds a body, and if not, why.

@@ -1,5 +1,7 @@
 #include "character/recover.hpp"
 
+#include <optional>
+
 #include <surefoot/overlap.hpp>
 #include <surefoot/ray.hpp>
 
@@ -14,7 +16,16 @@ constexpr std::size_t most_pushes = 32;
 
 // Each round parts the body from everything that it overlaps, one after the other, and asks anew.
 constexpr int most_rounds = 8;
-constexpr int most_turns = 16;
+constexpr int most_turns = 64;
+
+// Where room is looked for at last: in rings around the body.
+constexpr int rings = 12;
+
+// The sines of the sixteenths of a turn.
+constexpr double sixteenth[16] = {0,  0.3826834323650898,  0.7071067811865476,  0.9238795325112867,
+                                  1,  0.9238795325112867,  0.7071067811865476,  0.3826834323650898,
+                                  0,  -0.3826834323650898, -0.7071067811865476, -0.9238795325112867,
+                                  -1, -0.9238795325112867, -0.7071067811865476, -0.3826834323650898};
 
 struct Push {
     Vec normal;
@@ -38,7 +49,9 @@ public:
                 return result;
             }
             if (count_ == 0) return result;
-            Vec way = way_out();
+            const auto out = way_out();
+            if (!out) return search(from, farthest);
+            Vec way = *out;
             const double distance = length(way);
             if (!(distance > 0)) break;
             const double left = farthest - length(result.position - from);
@@ -49,11 +62,43 @@ public:
             result.moved = true;
             if (far) return result;  // more in the next tick
         }
-        result.stuck = find_pushes(result.position) && deep_;
-        return result;
+        if (!find_pushes(result.position) || !deep_) return result;
+        return search(from, farthest);
     }
 
 private:
+    // Pushed from several sides at once it gets nowhere. Somewhere near there may be room all the same.
+    Recovery search(const Vec& from, double farthest) noexcept {
+        const Vec aside = absolute(gait_.up.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 0, 1};
+        Vec across = cross(gait_.up, aside);
+        across = across / length(across);
+        const Vec other = cross(gait_.up, across);
+        const double size = larger(body_.half_width, 0.5 * largest(body_.above - body_.below));
+        for (int ring = 1; ring <= rings; ++ring) {
+            const double distance = 1.5 * size * ring / rings;
+            for (int i = 0; i < 16 + 2; ++i) {
+                // Sideways first, in sixteen directions; then up and down.
+                const Vec direction = i < 16    ? across * sixteenth[(i + 4) % 16] + other * sixteenth[i]
+                                      : i == 16 ? gait_.up
+                                                : -gait_.up;
+                const auto place = room_near(from + direction * distance, size);
+                if (!place || crosses(from, *place)) continue;
+                const Vec way = *place - from;
+                return {from + way * smaller(1, farthest / length(way)), true, false};
+            }
+        }
+        return {from, false, true};
+    }
+
+    // Where there is room, at a place or one push away from it.
+    std::optional<Vec> room_near(const Vec& place, double size) noexcept {
+        if (!find_pushes(place)) return std::nullopt;
+        if (count_ == 0) return place;
+        const auto out = way_out();
+        if (!out || length(*out) > size || !find_pushes(place + *out) || count_ > 0) return std::nullopt;
+        return place + *out;
+    }
+
     // False if there is no room for the triangles.
     bool find_pushes(const Vec& position) noexcept {
         count_ = 0;
@@ -85,8 +130,8 @@ private:
         });
     }
 
-    // The shortest way that gets out of all, found by going out of each in turn.
-    Vec way_out() const noexcept {
+    // The shortest way that gets out of all, found by going out of each in turn; none where they are opposed.
+    std::optional<Vec> way_out() const noexcept {
         Vec way;
         for (int turn = 0; turn < most_turns; ++turn) {
             bool moved = false;
@@ -96,12 +141,16 @@ private:
                 way = way + pushes_[i].normal * missing;
                 moved = true;
             }
-            if (!moved) break;
+            if (!moved) return way;
         }
-        return way;
+        return std::nullopt;
     }
 
-    bool crosses(const Vec& from, const Vec& to) const noexcept {
+    // What lies between is not known unless it was gathered.
+    bool crosses(const Vec& from, const Vec& to) noexcept {
+        const Vec low{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)};
+        const Vec high{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)};
+        if (!surroundings_.cover(low, high)) return true;
         for (const SourceTriangle& triangle : surroundings_.triangles()) {
             if (surroundings_.rule_of(triangle.surface).one_way) continue;
             if (surefoot::ray({to_dvec3(from), to_dvec3(to)}, triangle.triangle)) return true;

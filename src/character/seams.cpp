@@ -1,5 +1,7 @@
 #include "character/seams.hpp"
 
+#include <optional>
+
 #include "character/body.hpp"
 #include "nearest.hpp"
 
@@ -30,9 +32,11 @@ Face face_of(const Triangle& triangle, const Vec& centre) noexcept {
     return face;
 }
 
-bool holds(const Face& face, const Vec& point, double reach) noexcept {
-    const Vec away = nearest_on_triangle(point, face.corners) - point;
-    return dot(away, away) <= reach * reach;
+// The point of the face that is nearest to a point of touch, if the face holds that.
+std::optional<Vec> held_at(const Face& face, const Vec& point, double reach) noexcept {
+    const Vec nearest = nearest_on_triangle(point, face.corners);
+    const Vec away = nearest - point;
+    return dot(away, away) <= reach * reach ? std::optional(nearest) : std::nullopt;
 }
 
 double reaches_out(const Face& face, const Vec& point, const Vec& normal) noexcept {
@@ -69,8 +73,9 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
         bool covered = false;
         near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
             const Face face = face_of(triangle.triangle, centre);
-            if (face.normal == Vec{} || !holds(face, touch.point, reach)) return;
-            if (reaches_out(face, touch.point, touch.normal) <= in_plane * face.size + reach * 0x1p-4) return;
+            if (face.normal == Vec{}) return;
+            const auto held = held_at(face, touch.point, reach);
+            if (!held || reaches_out(face, *held, touch.normal) <= in_plane * face.size) return;
             // It reaches out, but against its back the body cannot have come.
             if (dot(face.normal, touch.normal) < -1e-9) return;
             covered = true;
@@ -97,7 +102,7 @@ Vec surface_under(const Touch& touch, const Surroundings& surroundings, double r
     double height = -1;
     near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
         const Face face = face_of(triangle.triangle, centre);
-        if (face.normal == Vec{} || !holds(face, touch.point, reach)) return;
+        if (face.normal == Vec{} || !held_at(face, touch.point, reach)) return;
         // Turned away from the touch: not what it stands on.
         if (dot(face.normal, touch.normal) < -1e-9) return;
         if (dot(face.normal, up) > height) {

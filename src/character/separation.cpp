@@ -15,13 +15,21 @@ struct Extents {
 
 Extents extents_of(const Shape& shape) noexcept {
     return std::visit(Overloaded{
-                          [](const Sphere& s) { return Extents{Vec{s.radius, s.radius, s.radius}, 0, false}; },
-                          [](const Ellipsoid& e) { return Extents{to_vec(e.radii), 0, false}; },
+                          [](const Sphere& s) {
+                              return Extents{Vec{s.radius, s.radius, s.radius}, 0, false};
+                          },
+                          [](const Ellipsoid& e) {
+                              return Extents{to_vec(e.radii), 0, false};
+                          },
                           [](const Capsule& c) {
                               return Extents{Vec{c.radius, c.radius + c.half_height, c.radius}, 0, false};
                           },
-                          [](const Box& b) { return Extents{to_vec(b.half_extents), 0, true}; },
-                          [](const Cylinder& c) { return Extents{Vec{c.radius, c.half_height, c.radius}, 0, true}; },
+                          [](const Box& b) {
+                              return Extents{to_vec(b.half_extents), 0, true};
+                          },
+                          [](const Cylinder& c) {
+                              return Extents{Vec{c.radius, c.half_height, c.radius}, 0, true};
+                          },
                           [](const Cone& c) {
                               return Extents{Vec{c.radius, 0.5 * c.height, c.radius}, 0.5 * c.height, true};
                           },
@@ -29,8 +37,8 @@ Extents extents_of(const Shape& shape) noexcept {
                       shape);
 }
 
-// The point of the triangle nearest to the origin (Ericson, "Real-Time Collision Detection", 5.1.5). In doubles: it only
-// proposes a plane.
+// The point of the triangle nearest to the origin (Ericson, "Real-Time Collision Detection", 5.1.5). In doubles: it
+// only proposes a plane.
 Vec nearest_to_origin(const Vec& a, const Vec& b, const Vec& c) noexcept {
     const Vec ab = b - a;
     const Vec ac = c - a;

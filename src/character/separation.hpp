@@ -16,8 +16,8 @@ struct Separation {
     double gap = 0;  ///< [m]
 };
 
-/// The widest gap among a few likely planes: the triangle's own, the one at its point that is nearest in squashed space,
-/// and for flat shapes the one of a flat side. `place` is the reference point's, `frame` that of the shape.
+/// The widest gap among a few likely planes: the triangle's own, the one at its point that is nearest in squashed
+/// space, and for flat shapes the one of a flat side. `place` is the reference point's, `frame` that of the shape.
 [[nodiscard]] Separation separation_of(const Shape& shape, const Frame& frame, const Vec& place,
                                        const Triangle& triangle) noexcept;
 

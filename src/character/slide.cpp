@@ -18,6 +18,12 @@ constexpr double rest = 1e-9;
 // What is met within this share of the skin after the first touch is met with it.
 constexpr double together = 0.25;
 
+// Would obeying the plane lift the body by more than it wants to rise?
+bool lifts(const Vec& wish, const Vec& normal, const Vec& up) noexcept {
+    const double into = dot(normal, wish);
+    return into < 0 && dot(wish - normal * into, up) > larger(0, dot(wish, up));
+}
+
 // Longer moves than this many times the body's size are first asked of the world's own tree.
 constexpr double leap_from = 4;
 
@@ -158,18 +164,19 @@ private:
             if (!in_the_way) tell(StepAct::touch, touch, touch.normal, StepRule::none, touch.t);
             if (faces.replaced) tell(StepAct::seam, touch, normal);
             in_the_way = true;
-            obey(normal, touch);
+            obey(normal, touch, centre);
         }
         if (!in_the_way) tell(StepAct::passed_over, touch, faces.normals[0], StepRule::none, touch.t);
         return in_the_way;
     }
 
-    void obey(const Vec& normal, const Touch& touch) noexcept {
+    void obey(const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
         const double rises = dot(normal, gait_.up);
         const bool is_steep = rises > 0 && rises < gait_.least_ground_up;
         note(normal, touch, rises);
         tell(StepAct::obeyed, touch, normal);
         bool room = result_.planes.add(normal);
+        if (rises >= gait_.least_ground_up && !gait_.on_foot) come_down(centre);
         if (is_steep) {
             const Vec level = normal - gait_.up * rises;
             const double run = length(level);
@@ -179,7 +186,7 @@ private:
                     tell(StepAct::wall, touch, wall, StepRule::slope_limit, rises, gait_.least_ground_up);
                     room = result_.planes.add(wall) && room;
                 } else {
-                    never_lift(wall, normal, touch);
+                    never_lift(wall, normal, touch, centre);
                 }
             }
         }
@@ -188,16 +195,18 @@ private:
         result_.overflow = true;
     }
 
+    // On ground that can be stood on a fall ends; it is not led on down the slope.
+    void come_down(const Vec& centre) noexcept {
+        const double rise = dot(target_ - centre, gait_.up);
+        if (rise < 0) target_ = target_ - gait_.up * rise;
+    }
+
     // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
     // given up where obeying the plane would lift the body by more than it wants to rise.
-    void never_lift(const Vec& wall, const Vec& normal, const Touch& touch) noexcept {
-        const Vec wish = target_ - result_.position;
-        const double into = dot(wall, wish);
-        if (into >= 0) return;
-        const double rise = dot(wish, gait_.up);
-        const Vec along = wish - normal * smaller(0, dot(normal, wish));
-        if (dot(along, gait_.up) <= larger(0, rise)) return;
-        target_ = target_ - wall * into;
+    void never_lift(const Vec& wall, const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
+        const Vec wish = target_ - centre;
+        if (!lifts(wish, normal, gait_.up)) return;
+        target_ = target_ - wall * smaller(0, dot(wall, wish));
         tell(StepAct::gave_up_rising, touch, normal, StepRule::slope_limit, dot(normal, gait_.up),
              gait_.least_ground_up);
     }
@@ -210,7 +219,8 @@ private:
         if (scale > 0) met.share = -dot(normal, wish) / scale;
         if (met.share > result_.obstacle.share) result_.obstacle = met;
         if (rises < -0.1) result_.met_ceiling = true;
-        if (rises < gait_.least_ground_up && rises > -0.5 && result_.wall.normal == Vec{}) result_.wall = met;
+        if (rises >= gait_.least_ground_up || rises <= -0.5) return;
+        if (result_.wall_count < result_.walls.size()) result_.walls[result_.wall_count++] = met;
     }
 
     Surroundings& surroundings_;
@@ -224,6 +234,17 @@ private:
 };
 
 }  // namespace
+
+Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept {
+    for (const Vec& normal : planes.normals()) {
+        const double rises = dot(normal, gait.up);
+        if (rises <= 0 || rises >= gait.least_ground_up || !lifts(velocity, normal, gait.up)) continue;
+        const Vec level = normal - gait.up * rises;
+        const Vec wall = level / length(level);
+        velocity = velocity - wall * smaller(0, dot(wall, velocity));
+    }
+    return planes.nearest_to(velocity);
+}
 
 SlideResult slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, const Vec& wish,
                   const Planes3& planes) noexcept {

@@ -1,6 +1,8 @@
 // Moving along what is met: all planes that are met at one place are obeyed at once.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "character/planes.hpp"
@@ -28,9 +30,10 @@ struct Obstacle {
 
 struct SlideResult {
     Vec position;
-    Planes3 planes;     ///< all that were obeyed
-    Obstacle obstacle;  ///< the one that was met the most squarely
-    Obstacle wall;      ///< the first that cannot be walked on and does not hang over; for steps
+    Planes3 planes;                   ///< all that were obeyed
+    Obstacle obstacle;                ///< the one that was met the most squarely
+    std::array<Obstacle, 3> walls{};  ///< what cannot be walked on and does not hang over; for steps
+    std::size_t wall_count = 0;
     bool met_ceiling = false;
     bool overflow = false;  ///< there was no room for all that was met: the move ended early
     bool blocked = false;   ///< an answer that could not be trusted ended the move
@@ -40,5 +43,9 @@ struct SlideResult {
 /// of the way leads there from wherever the last touch was.
 [[nodiscard]] SlideResult slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from,
                                 const Vec& wish, const Planes3& planes) noexcept;
+
+/// What becomes of a velocity along these planes, without a foot on the ground: what is too steep does not turn it
+/// upwards.
+[[nodiscard]] Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept;
 
 }  // namespace surefoot::internal

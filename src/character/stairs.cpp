@@ -24,10 +24,13 @@ Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, con
 }  // namespace
 
 std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
-                                 const StepSettings& settings, const Vec& position, const Vec& level) noexcept {
+                                 const StepSettings& settings, const Vec& position, const Vec& level,
+                                 const Vec& wall) noexcept {
     const double way = length(level);
     if (!(way > 0)) return std::nullopt;
-    const Vec ahead = level / way;
+    const Vec out = wall - gait.up * dot(wall, gait.up);
+    const double run = length(out);
+    const Vec ahead = run > 0 ? out / -run : level / way;
     const auto tell = [&](StepAct act, StepRule decided, double value, double limit, const Ground& at = {}) noexcept {
         surroundings.tell([&] {
             return StepRecord{.position = to_dvec3(position),
@@ -49,14 +52,14 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     tell(StepAct::step_tried, StepRule::none, settings.step_up, settings.step_depth);
     const Raised raised = raise(surroundings, body, gait, position, settings.step_up);
     if (raised.height <= gait.skin) return refuse(StepRule::head_room, raised.height, settings.step_up);
-    const auto forward = [&](double length) noexcept {
-        return slide(surroundings, body, gait, raised.position, ahead * length, {}).position;
+    const auto forward = [&](const Vec& motion) noexcept {
+        return slide(surroundings, body, gait, raised.position, motion, {}).position;
     };
     const auto down_from = [&](const Vec& place, const GroundRule& by) noexcept {
         return ground_under(surroundings, body, gait, by, place, raised.height + gait.skin);
     };
     // The question: is there ground ahead, higher than here? What is reached may lie beside, along a wall.
-    const Vec probe = forward(larger(way, settings.step_depth));
+    const Vec probe = forward(ahead * larger(dot(level, ahead), settings.step_depth));
     const double advance = dot(probe - raised.position, ahead);
     if (advance <= gait.skin) return refuse(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
@@ -64,9 +67,13 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
     if (landing.footing != Footing::ground) return refuse(landing.rule, landing.value, landing.limit, landing);
     if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);
-    if (risen > settings.step_up + gait.skin) return refuse(StepRule::step_height, risen, settings.step_up, landing);
+    // What counts is where the ground is, not how far a round body has come up by resting on its edge.
+    const double height = dot(landing.point - position, gait.up) + body.foot;
+    if (height > settings.step_up + 0.1 * gait.skin) {
+        return refuse(StepRule::step_height, height, settings.step_up, landing);
+    }
     // The way.
-    const Vec place = forward(way);
+    const Vec place = forward(level);
     const Ground ground = down_from(place, rule);
     if (!ground.trusted || ground.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
     SteppedUp stepped{place - gait.up * ground.distance, ground};

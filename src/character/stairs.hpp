@@ -18,9 +18,9 @@ struct SteppedUp {
 };
 
 /// Tries to go on by `level`, which is across `up`, over what blocks it at `position`. Whether there is a step is asked
-/// `step_depth` ahead, however short `level` is; then it is gone by `level`.
+/// `step_depth` ahead, square to the `wall` that blocks it and however short `level` is; then it is gone by `level`.
 [[nodiscard]] std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait,
                                                const GroundRule& rule, const StepSettings& settings,
-                                               const Vec& position, const Vec& level) noexcept;
+                                               const Vec& position, const Vec& level, const Vec& wall) noexcept;
 
 }  // namespace surefoot::internal

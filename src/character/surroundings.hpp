@@ -21,13 +21,13 @@ namespace surefoot::internal {
 
 /// An upright body as the questions of a step need it: the volume kept off by the skin, and the box around it.
 struct Body {
-    Volume volume;      ///< as the user gave it, turned to `up`
-    Volume kept_off;    ///< grown by the skin
-    Vec shift;          ///< from the position to the reference point of `kept_off` [m]
-    Vec below, above;   ///< corners of the box around `kept_off`, relative to the position [m]
+    Volume volume;                   ///< as the user gave it, turned to `up`
+    Volume kept_off;                 ///< grown by the skin
+    Vec shift;                       ///< from the position to the reference point of `kept_off` [m]
+    Vec below, above;                ///< corners of the box around `kept_off`, relative to the position [m]
     Frame frame{dquat(1, 0, 0, 0)};  ///< of both
-    double half_width;  ///< the largest horizontal reach of the volume from its axis [m]
-    double foot;        ///< how far the lowest point of `kept_off` is from the position, along -up [m]
+    double half_width;               ///< the largest horizontal reach of the volume from its axis [m]
+    double foot;                     ///< how far the lowest point of `kept_off` is from the position, along -up [m]
 };
 
 /// One touch on the way of a body.

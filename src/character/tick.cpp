@@ -82,7 +82,7 @@ void Tick::glide(const Vec& way, const Vec& velocity_after) noexcept {
     tell({.motion = to_dvec3(way), .act = StepAct::wants});
     const SlideResult slid = slide(surroundings, body, gait, position, way, {});
     position = slid.position;
-    velocity = slid.planes.nearest_to(velocity_after);
+    velocity = velocity_along(slid.planes, gait, velocity_after);
     if (slid.overflow) say(CharacterEvent::overflow);
     if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
     tell_obstacle(slid.obstacle);

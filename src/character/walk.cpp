@@ -50,14 +50,15 @@ private:
         result_.met_ceiling = result_.met_ceiling || slid.met_ceiling;
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
-        if (!(slid.wall.normal == Vec{}) && settings_.step_up > 0 && dot(slid.wall.normal, level) < 0) {
-            const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_,
-                                                   {settings_.step_up, settings_.step_depth}, from, level);
-            if (stepped && dot(stepped->position - slid.position, level) > 0) {
-                result_.position = stepped->position;
-                result_.stepped_up = true;
-                return;
-            }
+        for (std::size_t i = 0; i < slid.wall_count && settings_.step_up > 0; ++i) {
+            if (dot(slid.walls[i].normal, level) >= 0) continue;
+            const auto stepped =
+                internal::step_up(surroundings_, body_, gait_, rule_, {settings_.step_up, settings_.step_depth}, from,
+                                  level, slid.walls[i].normal);
+            if (!stepped || dot(stepped->position - slid.position, level) <= 0) continue;
+            result_.position = stepped->position;
+            result_.stepped_up = true;
+            return;
         }
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
         const Vec velocity = slid.planes.nearest_on_foot(result_.velocity, gait_.up);
