@@ -1,6 +1,6 @@
 // Jolt's CharacterVirtual on the movement course, moved by ExtendedUpdate as its own CharacterVirtual sample does: the
-// slope limit, the step and the floor that it sticks to are the scene's; everything else is Jolt's default, with that
-// sample's supporting volume and its rule against sliding down slopes that can be stood on.
+// slope limit, the step, the padding and the floor that it sticks to are the scene's; everything else is Jolt's default,
+// with that sample's supporting volume and its rule against sliding down slopes that can be stood on.
 import initialise from 'jolt-physics';
 import { speak } from './protocol.mjs';
 
@@ -75,6 +75,11 @@ class Walker {
         if (this.character) Jolt.destroy(this.character);
         const described = new Jolt.CharacterVirtualSettings();
         described.mMaxSlopeAngle = (settings.slope_limit_deg * Math.PI) / 180;
+        // Jolt's lengths are for a person: the padding is the scene's skin, the others go with the radius.
+        const size = settings.radius / 0.4;
+        described.mCharacterPadding = settings.skin;
+        described.mPredictiveContactDistance *= size;
+        described.mCollisionTolerance *= size;
         described.mShape = new Jolt.CapsuleShape(settings.half_height, settings.radius);
         described.mEnhancedInternalEdgeRemoval = removes_edges;
         described.mSupportingVolume = brief(new Jolt.Plane(along(0, 1, 0), settings.half_height));
@@ -82,6 +87,8 @@ class Walker {
         this.character.SetListener(this.listener);
         this.update ??= new Jolt.ExtendedUpdateSettings();
         this.update.mStickToFloorStepDown = along(0, -settings.snap_down, 0);
+        this.update.mWalkStairsStepForwardTest = settings.step_depth;
+        this.update.mWalkStairsMinStepForward = 0.02 * size;
         this.update.mWalkStairsStepUp = along(0, settings.step_up, 0);
         this.jump_held = false;
         give_back();
