@@ -7,10 +7,12 @@
 /// How a body is moved, in one place: docs/movement.md.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
 
+#include <surefoot/character_neighbour.hpp>
 #include <surefoot/character_settings.hpp>
 #include <surefoot/character_trace.hpp>
 #include <surefoot/hit.hpp>
@@ -108,17 +110,18 @@ enum class CharacterEvent : std::uint32_t {
     grabbed_ledge = 1U << 17,
     dropped_ledge = 1U << 18,
     climbed_ledge = 1U << 19,
-    vaulted = 1U << 20,  ///< climbs over something by a press of jump
-    no_room = 1U << 15,  ///< would stand up or change its body, but there is no room
-    invalid = 1U << 16,  ///< something in the arguments is out of its range: the state is unchanged
+    vaulted = 1U << 20,        ///< climbs over something by a press of jump
+    no_room = 1U << 15,        ///< would stand up or change its body, but there is no room
+    invalid = 1U << 16,        ///< something in the arguments is out of its range: the state is unchanged
+    met_neighbour = 1U << 21,  ///< with `blocked`: what blocked it the most is a neighbour, `blocked_body` its id
 };
 
 /// The events of one tick, and what belongs to them.
 struct CharacterEvents {
-    std::uint32_t set = 0;      ///< of `CharacterEvent`
-    double landing_speed = 0;   ///< how fast it came down, along the ground's normal [m/s]; 0 unless `landed`
-    dvec3 blocked_by{0, 0, 0};  ///< the normal of what blocked it the most; zero if nothing did
-    std::uint32_t blocked_body = 0;
+    std::uint32_t set = 0;           ///< of `CharacterEvent`
+    double landing_speed = 0;        ///< how fast it came down, along the ground's normal [m/s]; 0 unless `landed`
+    dvec3 blocked_by{0, 0, 0};       ///< the normal of what blocked it the most; zero if nothing did
+    std::uint32_t blocked_body = 0;  ///< of the world; with `met_neighbour` the id of a neighbour
     std::uint32_t blocked_triangle = 0;
 
     [[nodiscard]] bool has(CharacterEvent event) const noexcept {
@@ -135,9 +138,37 @@ struct StepResult {
 ///
 /// `dt` is the time that passes [s, > 0 and at most 60]; anything else, and any number that is not finite, leaves the
 /// state as it was, with the event `invalid`. The world's moving bodies go from their poses at the start of its tick to
-/// those at the end. `trace` is told what was tried, met and decided; a step without one pays nothing for it.
+/// those at the end. `neighbours` are the others near by, as they all were before anybody took this step; the result
+/// does not go deeper into any of the hard ones than it began. `trace` is told what was tried, met and decided; a step
+/// without one pays nothing for it.
 [[nodiscard]] StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input,
-                              double dt, const CharacterState& state, StepTrace* trace = nullptr) noexcept;
+                              double dt, const CharacterState& state, std::span<const Neighbour> neighbours = {},
+                              StepTrace* trace = nullptr) noexcept;
+
+/// Many characters at once. What there is one of each for has as many as `before`.
+struct Characters {
+    std::span<const CharacterSettings> settings;  ///< one each, or a single one for all
+    std::span<const CharacterInput> inputs;       ///< one each, or a single one for all
+    std::span<const CharacterState> before;       ///< when the tick begins
+    std::span<CharacterState> after;              ///< when it ends: the answers; may be the memory of `before`
+    std::span<CharacterEvents> events{};          ///< one each, or none
+    std::span<const std::uint32_t> ids{};         ///< for `crowd`: one each, or none, and then they are counted
+};
+
+/// Some of many, by their places in the spans.
+struct StepRange {
+    std::size_t begin = 0;
+    std::size_t end = ~std::size_t{0};  ///< one after the last; what is beyond the spans does not count
+};
+
+/// Steps each of the characters in `range` by itself, as `step` without neighbours does; see crowd.hpp for those that
+/// meet. Threads may share the work: give each a range of its own and the same spans. How it is cut changes no bit.
+/// Requires: spans of fitting sizes; asserts otherwise, and with asserts off does nothing.
+void step_all(const World& world, const Characters& characters, double dt, StepRange range = {}) noexcept;
+
+/// How the others see a character.
+[[nodiscard]] Neighbour neighbour_of(const CharacterSettings& settings, const CharacterInput& input,
+                                     const CharacterState& state, std::uint32_t id = 0) noexcept;
 
 /// Can the body be here without touching anything?
 [[nodiscard]] bool fits(const World& world, const CharacterSettings& settings, const dvec3& position,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <surefoot/character_neighbour.hpp>
 #include <surefoot/character_surface.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/shapes.hpp>
@@ -61,6 +62,9 @@ struct CharacterSettings {
     /// How far from the body's axis ground may hold it by an edge [m, >= 0]. Farther out it slips off. Walking on to
     /// an edge is not limited by this.
     double perch_distance = 0.2;
+
+    /// How others meet this one. It decides nothing about how this one meets them.
+    Firmness firmness = Firmness::hard;
 
     Response response = Response::slide;
     SlopeSpeed slope_speed = SlopeSpeed::level;

@@ -41,7 +41,9 @@ enum class StepAct : std::uint8_t {
     ledge_refused,  ///< see `rule`
     crushed,
     stuck,
-    overflow,  ///< more triangles or planes than there is room for
+    overflow,       ///< more triangles or planes than there is room for
+    parted,         ///< neighbours overlapped it, and it was moved out by `motion`
+    met_neighbour,  ///< the neighbour with the id `body` was met after `value` of the pass, and is obeyed from now on
 };
 
 /// The rule that decided, where one did; `value` was held against `limit`.

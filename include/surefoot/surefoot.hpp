@@ -6,12 +6,14 @@
 #include <surefoot/capture.hpp>
 #include <surefoot/character.hpp>
 #include <surefoot/cook.hpp>
+#include <surefoot/crowd.hpp>
 #include <surefoot/debug_draw.hpp>
 #include <surefoot/error.hpp>
 #include <surefoot/file.hpp>
 #include <surefoot/fixed_step.hpp>
 #include <surefoot/height_field.hpp>
 #include <surefoot/hit.hpp>
+#include <surefoot/hitboxes.hpp>
 #include <surefoot/march.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/mesh.hpp>

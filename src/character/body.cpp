@@ -38,12 +38,14 @@ double smallest_of(const Shape& shape) noexcept {
         shape);
 }
 
+Volume turned_to(const Volume& volume, const Vec& up) noexcept {
+    if (up == Vec{0, 1, 0}) return volume;
+    return {volume.shape, to_dquat(product(turn_to(up), scaled_to_one(volume.orientation)))};
+}
+
 Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     Body body;
-    body.volume = volume;
-    if (!(up == Vec{0, 1, 0})) {
-        body.volume.orientation = to_dquat(product(turn_to(up), scaled_to_one(volume.orientation)));
-    }
+    body.volume = turned_to(volume, up);
     const GrownVolume kept_off = grown(body.volume, skin);
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;

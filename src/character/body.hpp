@@ -11,6 +11,9 @@ namespace surefoot::internal {
 /// `up` is of unit length. Requires: a valid volume.
 [[nodiscard]] Body body_of(const Volume& volume, double skin, const Vec& up) noexcept;
 
+/// A volume that is upright where up is +Y, turned to `up`, which is of unit length.
+[[nodiscard]] Volume turned_to(const Volume& volume, const Vec& up) noexcept;
+
 /// How far a volume reaches from its reference point along `direction`, which is of unit length [m].
 [[nodiscard]] double reach_along(const Volume& volume, const Vec& direction) noexcept;
 

@@ -11,8 +11,8 @@
 namespace surefoot::internal {
 
 /// How far a motion may go against a plane and still count as along it, as a share of the motion. A tenth of a metre
-/// goes 1e-10 m deep: rounding, many orders below any skin.
-inline constexpr double along_tolerance = 1e-9;
+/// goes 1e-8 m deep: the noise in the normals of edges, many orders below any skin.
+inline constexpr double along_tolerance = 1e-7;
 
 /// Planes that are met at one place, each by the unit normal that points to where there is room.
 class Planes3 {

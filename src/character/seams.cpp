@@ -39,6 +39,15 @@ std::optional<Vec> held_at(const Face& face, const Vec& point, double reach) noe
     return dot(away, away) <= reach * reach ? std::optional(nearest) : std::nullopt;
 }
 
+// A body that skims over an edge within the sweep's hair, h, meets it with a normal that is off by the root of h over
+// the body's size. What is as near as this to the normal of a face is that.
+constexpr double nearly = 1e-4;
+
+bool is_nearly(const Vec& a, const Vec& b) noexcept {
+    const Vec difference = a - b;
+    return dot(difference, difference) < nearly * nearly;
+}
+
 double reaches_out(const Face& face, const Vec& point, const Vec& normal) noexcept {
     return larger(dot(normal, face.corners[0] - point),
                   larger(dot(normal, face.corners[1] - point), dot(normal, face.corners[2] - point)));
@@ -75,6 +84,10 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
             const Face face = face_of(triangle.triangle, centre);
             if (face.normal == Vec{}) return;
             const auto held = held_at(face, touch.point, reach);
+            if (held && is_nearly(face.normal, touch.normal)) {
+                faces.add(face.normal);
+                return;
+            }
             if (!held || reaches_out(face, *held, touch.normal) <= in_plane * face.size) return;
             // It reaches out, but against its back the body cannot have come.
             if (dot(face.normal, touch.normal) < -1e-9) return;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "character/neighbours.hpp"
 #include "character/seams.hpp"
 
 namespace surefoot::internal {
@@ -62,14 +63,14 @@ private:
     void tell(StepAct act, const Touch& touch, const Vec& normal, StepRule rule = StepRule::none, double value = 0,
               double limit = 0) const noexcept {
         surroundings_.tell([&] {
-            const SourceTriangle& triangle = surroundings_.triangles()[touch.index];
+            const Named named = surroundings_.name_of(touch);
             return StepRecord{.position = to_dvec3(result_.position),
                               .point = to_dvec3(touch.point),
                               .normal = to_dvec3(normal),
                               .value = value,
                               .limit = limit,
-                              .triangle = triangle.id,
-                              .body = triangle.body,
+                              .triangle = named.triangle,
+                              .body = named.body,
                               .act = act,
                               .rule = rule,
                               .feature = touch.feature};
@@ -90,6 +91,7 @@ private:
             return true;
         }
         surroundings_.sweep(body_, result_.position, motion, touches_);
+        surroundings_.neighbours().sweep(result_.position, motion, touches_);
         return go_to_first(motion, way);
     }
 
@@ -114,11 +116,12 @@ private:
         WorldQuery query = surroundings_.query();
         query.triangles = BodyTriangleFilter(exists);
         const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
-        if (!hit) {
+        const double t = surroundings_.neighbours().first(result_.position, motion, hit ? hit->t : 2);
+        if (t > 1) {
             result_.position = result_.position + motion;
             return true;
         }
-        const double room = hit->t * way - size_;
+        const double room = t * way - size_;
         if (room > 0) result_.position = result_.position + motion * (room / way);
         const Vec near = motion * (2 * size_ / way);
         if (!cover(near)) {
@@ -126,6 +129,7 @@ private:
             return true;
         }
         surroundings_.sweep(body_, result_.position, near, touches_);
+        surroundings_.neighbours().sweep(result_.position, near, touches_);
         (void)go_to_first(near, 2 * size_);
         return false;
     }
@@ -154,6 +158,7 @@ private:
 
     // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
     bool meet(const Touch& touch, const Vec& motion) noexcept {
+        if (touch.is_neighbour) return meet_neighbour(touch, motion);
         const Vec centre = result_.position + motion * touch.t;
         const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
         const double way = length(motion);
@@ -168,6 +173,28 @@ private:
         }
         if (!in_the_way) tell(StepAct::passed_over, touch, faces.normals[0], StepRule::none, touch.t);
         return in_the_way;
+    }
+
+    // Neighbours are walls, however their bodies are rounded: nobody walks up another, or is pressed down by one.
+    bool meet_neighbour(const Touch& touch, const Vec& motion) noexcept {
+        const Vec& normal = touch.normal;
+        if (dot(normal, motion) >= -along_tolerance * length(motion) || result_.planes.has(normal)) return false;
+        tell(StepAct::met_neighbour, touch, normal, StepRule::none, touch.t);
+        note(normal, touch, 0);
+        const double rises = dot(normal, gait_.up);
+        const Vec level = normal - gait_.up * rises;
+        const double run = length(level);
+        bool room = result_.planes.add(normal);
+        if (run > 1e-6 && gait_.on_foot) {
+            room = result_.planes.add(level / run) && room;
+        } else if (run > 1e-6 && rises > 0) {
+            never_lift(level / run, normal, touch, result_.position + motion * touch.t);
+        }
+        if (!room) {
+            tell(StepAct::overflow, touch, normal);
+            result_.overflow = true;
+        }
+        return true;
     }
 
     void obey(const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
@@ -212,12 +239,13 @@ private:
     }
 
     void note(const Vec& normal, const Touch& touch, double rises) noexcept {
-        const SourceTriangle& triangle = surroundings_.triangles()[touch.index];
+        const Named named = surroundings_.name_of(touch);
         const Vec wish = target_ - result_.position;
         const double scale = length(wish);
-        Obstacle met{normal, touch.point, triangle.body, triangle.id, 0};
+        Obstacle met{normal, touch.point, named.body, named.triangle, touch.is_neighbour, 0};
         if (scale > 0) met.share = -dot(normal, wish) / scale;
         if (met.share > result_.obstacle.share) result_.obstacle = met;
+        if (touch.is_neighbour) return;  // nothing to step on to
         if (rises < -0.1) result_.met_ceiling = true;
         if (rises >= gait_.least_ground_up || rises <= -0.5) return;
         if (result_.wall_count < result_.walls.size()) result_.walls[result_.wall_count++] = met;

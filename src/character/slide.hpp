@@ -25,6 +25,7 @@ struct Obstacle {
     Vec point;
     std::uint32_t body = 0;
     std::uint32_t triangle = 0;
+    bool is_neighbour = false;
     double share = 0;  ///< how squarely it was met: the cosine of the angle to the wish [0, 1]
 };
 

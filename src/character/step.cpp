@@ -29,6 +29,16 @@ bool is_valid(const CharacterState& state) noexcept {
            is_finite(state.ledge_point) && state.since_hold >= 0;
 }
 
+bool are_valid(std::span<const Neighbour> neighbours) noexcept {
+    for (const Neighbour& neighbour : neighbours) {
+        if (!surefoot::is_valid(neighbour.volume) || !is_valid_point(neighbour.position) ||
+            !is_valid_point(neighbour.velocity)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 }  // namespace surefoot::internal
@@ -80,11 +90,11 @@ bool is_valid(const CharacterSettings& settings) noexcept {
 }
 
 StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
-                const CharacterState& state, StepTrace* trace) noexcept {
+                const CharacterState& state, std::span<const Neighbour> neighbours, StepTrace* trace) noexcept {
     const internal::IeeeGuard guard;
     StepResult result{state, {}};
     if (!(dt > 0 && dt <= internal::longest_dt) || !is_valid(settings) || !internal::is_valid(input) ||
-        !internal::is_valid(state)) {
+        !internal::is_valid(state) || !internal::are_valid(neighbours)) {
         result.events.set = static_cast<std::uint32_t>(CharacterEvent::invalid);
         return result;
     }
@@ -92,7 +102,7 @@ StepResult step(const World& world, const CharacterSettings& settings, const Cha
     CharacterInput once = input;
     for (double done = 0; done < parts; ++done) {
         const internal::TickPart part{done / parts, (done + 1) / parts};
-        const StepResult next = internal::tick_once({world, settings, once, dt, part, result.state, trace});
+        const StepResult next = internal::tick_once({world, settings, once, dt, part, result.state, neighbours, trace});
         result.state = next.state;
         result.events = merged(result.events, next.events);
         once.impulse = {0, 0, 0};

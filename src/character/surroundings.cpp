@@ -1,6 +1,7 @@
 #include "character/surroundings.hpp"
 
 #include "character/body.hpp"
+#include "character/neighbours.hpp"
 #include "sweep/sweep.hpp"
 
 namespace surefoot::internal {
@@ -33,6 +34,11 @@ void Touches::add(const Touch& touch) noexcept {
     if (count_ < most) ++count_;
     for (std::size_t i = count_ - 1; i > place; --i) touches_[i] = touches_[i - 1];
     touches_[place] = touch;
+}
+
+Named Surroundings::name_of(const Touch& touch) const noexcept {
+    if (touch.is_neighbour) return {neighbours_.id(touch.index), 0};
+    return {triangles_[touch.index].body, triangles_[touch.index].id};
 }
 
 bool Surroundings::cover(const Vec& min, const Vec& max) noexcept {

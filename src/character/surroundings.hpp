@@ -38,6 +38,7 @@ struct Touch {
     std::size_t index = 0;  ///< which of the surrounding triangles
     Feature feature = Feature::face;
     HitStatus status = HitStatus::ok;
+    bool is_neighbour = false;  ///< then `index` is one of the neighbours
 };
 
 /// The touches of one move in order of time.
@@ -54,14 +55,22 @@ private:
     std::size_t count_ = 0;
 };
 
+class Neighbours;
+
+/// Who was touched, in the user's own numbers.
+struct Named {
+    std::uint32_t body = 0;  ///< of a neighbour its id
+    std::uint32_t triangle = 0;
+};
+
 class Surroundings {
 public:
     static constexpr std::size_t most = 512;
 
     /// `slack`: how far a body may be behind a one-way surface and still have come from its front [m].
     Surroundings(const World& world, const WorldQuery& query, const SurfaceRules& rules, double slack,
-                 StepTrace* trace) noexcept
-        : world_(world), query_(query), rules_(rules), slack_(slack), trace_(trace) {}
+                 const Neighbours& neighbours, StepTrace* trace) noexcept
+        : world_(world), query_(query), rules_(rules), slack_(slack), neighbours_(neighbours), trace_(trace) {}
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
@@ -100,6 +109,8 @@ public:
     }
 
     [[nodiscard]] const World& world() const noexcept { return world_; }
+    [[nodiscard]] const Neighbours& neighbours() const noexcept { return neighbours_; }
+    [[nodiscard]] Named name_of(const Touch& touch) const noexcept;
     [[nodiscard]] SurfaceRule rule_of(std::uint32_t surface) const noexcept { return rules_[surface]; }
     [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
 
@@ -127,6 +138,7 @@ private:
     WorldQuery query_;
     SurfaceRules rules_;
     double slack_;
+    const Neighbours& neighbours_;
     StepTrace* trace_;
     std::size_t count_ = 0;
     Box covered_{{1, 1, 1}, {-1, -1, -1}};

@@ -49,8 +49,9 @@ Tick::Tick(const TickArguments& arguments) noexcept
       up(to_vec(input.up) / length(to_vec(input.up))),
       wish(level(to_vec(input.wish))),
       body(body_of(volume_of(settings, arguments.state.form), settings.skin, up)),
+      neighbours(body, settings.skin, arguments.neighbours),
       surroundings(arguments.world, WorldQuery{.begin = part.end, .end = part.end}, settings.surfaces, settings.skin,
-                   arguments.trace),
+                   neighbours, arguments.trace),
       state(arguments.state),
       position(to_vec(state.position)),
       velocity(to_vec(state.velocity) + to_vec(input.impulse)) {
@@ -93,10 +94,11 @@ void Tick::tell_obstacle(const Obstacle& obstacle) noexcept {
     const double rises = dot(obstacle.normal, up);
     if (rises >= gait.least_ground_up) return;
     say(CharacterEvent::blocked);
+    if (obstacle.is_neighbour) say(CharacterEvent::met_neighbour);
     events.blocked_by = to_dvec3(obstacle.normal);
     events.blocked_body = obstacle.body;
     events.blocked_triangle = obstacle.triangle;
-    if (absolute(rises) < wall_rises_at_most) {
+    if (absolute(rises) < wall_rises_at_most && !obstacle.is_neighbour) {
         state.wall_normal = to_dvec3(obstacle.normal);
         state.since_wall = 0;
     }
@@ -158,6 +160,18 @@ void get_out(Tick& tick) noexcept {
     tick.tell({.act = StepAct::stuck});
 }
 
+void part(Tick& tick) noexcept {
+    if (tick.neighbours.empty()) return;
+    tick.neighbours.place(tick.world(), tick.position, tick.velocity, tick.whole, tick.part);
+    if (tick.neighbours.overflow()) tick.say(CharacterEvent::overflow);
+    Vec way = tick.neighbours.way_apart(tick.position, recovery_speed * tick.dt, soft_parting_speed * tick.dt);
+    if (tick.state.footing == Footing::ground) way = tick.level(way);
+    if (way == Vec{}) return;
+    const Vec before = tick.position;
+    tick.position = slide(tick.surroundings, tick.body, tick.gait, before, way, {}).position;
+    tick.tell({.motion = to_dvec3(tick.position - before), .act = StepAct::parted});
+}
+
 StepResult tick_once(const TickArguments& arguments) noexcept {
     Tick now(arguments);
     remember_buttons(now);
@@ -165,6 +179,7 @@ StepResult tick_once(const TickArguments& arguments) noexcept {
     look_around(now);
     get_out(now);
     change_form(now);
+    part(now);
     if (arguments.input.mode != CharacterMode::walk) {
         move_freely(now);
         return finish(now);

@@ -5,6 +5,7 @@
 
 #include "character/carry.hpp"
 #include "character/ground.hpp"
+#include "character/neighbours.hpp"
 #include "character/slide.hpp"
 #include "character/surroundings.hpp"
 
@@ -23,6 +24,7 @@ struct TickArguments {
     double tick;    ///< all of the world's tick [s]
     TickPart part;  ///< what is done of it here
     const CharacterState& state;
+    std::span<const Neighbour> neighbours;
     StepTrace* trace;
 };
 
@@ -38,6 +40,7 @@ struct Tick {
     Vec up;         ///< unit
     Vec wish;       ///< what is asked for, across `up` [m/s]
     Body body;
+    Neighbours neighbours;
     Gait gait{};
     Surroundings surroundings;
     CharacterState state;  ///< what it was, until it is told what it is
@@ -66,6 +69,7 @@ void ride(Tick& tick) noexcept;         ///< what moves takes it along
 void look_around(Tick& tick) noexcept;  ///< one gather for all questions, if the tick is short enough
 void get_out(Tick& tick) noexcept;      ///< of what it is too close to
 void change_form(Tick& tick) noexcept;  ///< crouches, stands up, takes the body of its situation
+void part(Tick& tick) noexcept;         ///< from neighbours that overlap it
 void stand(Tick& tick) noexcept;        ///< is there ground?
 void leap(Tick& tick) noexcept;         ///< jumps, jumps off walls, dashes
 void go_on_foot(Tick& tick, double seconds) noexcept;
