@@ -73,7 +73,9 @@ public:
         : world_(world), query_(query), rules_(rules), slack_(slack), neighbours_(neighbours), trace_(trace) {}
 
     /// For questions beside those of the step: the same world and rules, nothing covered, no trace.
-    [[nodiscard]] Surroundings beside() const noexcept { return {world_, query_, rules_, slack_, neighbours_, nullptr}; }
+    [[nodiscard]] Surroundings beside() const noexcept {
+        return {world_, query_, rules_, slack_, neighbours_, nullptr};
+    }
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Vec& min, const Vec& max) noexcept;
