@@ -173,4 +173,42 @@ TEST(Allocation, no_query_against_one_triangle_or_shape_allocates) {
     EXPECT_GT(hits, 500u);
 }
 
+TEST(Allocation, a_crowd_allocates_when_it_is_reserved_and_never_again_and_hitboxes_never) {
+    using namespace surefoot;
+    const vec3 corners[] = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
+    const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+    const auto mesh = Mesh::build({.vertices = corners, .indices = indices});
+    ASSERT_TRUE(mesh);
+    World world;
+    ASSERT_TRUE(world.add(*mesh));
+    const Shape shapes[] = {Ellipsoid{}, Capsule{}, Box{}, Sphere{}, Cylinder{}, Cone{}};
+    std::vector<CharacterSettings> settings(60);
+    std::vector<CharacterState> states(60);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        settings[i].volume = Volume(shapes[i % 6]);
+        states[i].position = {0.7 * static_cast<double>(i % 8), 1, 0.7 * static_cast<double>(i / 8)};
+    }
+    const CharacterInput input{.wish = {2, 0, 1}};
+    const Characters all{.settings = settings, .inputs = {&input, 1}, .before = states, .after = states};
+    Crowd crowd;
+    const std::size_t before_reserving = allocations;
+    ASSERT_TRUE(crowd.reserve(60));
+    EXPECT_GT(allocations, before_reserving);
+    const std::size_t before = allocations;
+    bool gathered = true;
+    std::size_t hits = 0;
+    const HitPart parts[] = {{Sphere{0.2}, {.position = {0, 0.5, 0}}, {.position = {0.3, 0.5, 0}}, 1},
+                             {Box{}, {.orientation = {1, 0, 0, 0}}, {.orientation = {1, 0.2, 0, 0}}, 2}};
+    for (int tick = 0; tick < 30; ++tick) {
+        gathered = gathered && crowd.gather(all, 0.02);
+        step_all(world, crowd, all, 0.02);
+        const Hitboxes body(parts, {.position = states[0].position});
+        hits += body.ray({.from = {-9, 1, 0}, .to = {9, 1, 1}}).has_value();
+        hits += body.sweep(Sphere{0.3}, {.from = {-9, 1, 0}, .to = {9, 1, 1}}).has_value();
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_TRUE(gathered);
+    EXPECT_GT(hits, 0U);
+}
+
 }  // namespace

@@ -1,36 +1,36 @@
 // surefoot replay: a saved moment is asked again. The same bits?
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 #include "command.hpp"
 #include "moment.hpp"
 #include "query.hpp"
+#include "replays.hpp"
 
 namespace surefoot::tools {
 namespace {
 
 struct ReplayOptions {
     std::vector<std::string> files;
+    SessionOptions session;
     bool json = false;
     bool cpp = false;
 };
 
-std::string version_of(const Version& v) {
-    return fmt::format("{}.{}.{}", v.major, v.minor, v.patch);
-}
-
 std::string report(const std::string& file, const Capture& capture, const Replay& again) {
     std::string text =
-        fmt::format("{}, saved by surefoot {} ({})\n", file, version_of(capture.origin.library), capture.origin.abi);
+        fmt::format("{}, saved by surefoot {} ({})\n", file, version_text(capture.origin.library), capture.origin.abi);
     if (!capture.note.empty()) text += fmt::format("Note: {}\n", capture.note);
     text += question_text(capture);
     text += "Recorded:\n" + moment_answer_text(capture.question, capture.answer);
     if (again.is_same()) {
         text += "Asked again: the same, to the last bit.\n";
     } else {
-        text += fmt::format("Asked again by surefoot {}: DIFFERENT in {}.\n", version_of(library_version()),
+        text += fmt::format("Asked again by surefoot {}: DIFFERENT in {}.\n", version_text(library_version()),
                             difference_text(again.differs));
         text += moment_answer_text(capture.question, again.answer);
     }
@@ -51,7 +51,7 @@ std::string json_line(const std::string& file, const Capture& capture, const Rep
     append_answer(text, again.answer);
     return text + fmt::format(R"(,"triangles":{},"library":{},"note":{}}})"
                               "\n",
-                              capture.triangles.size(), json_string(version_of(capture.origin.library)),
+                              capture.triangles.size(), json_string(version_text(capture.origin.library)),
                               json_string(capture.note));
 }
 
@@ -62,27 +62,59 @@ std::string stem_of(const std::string& file) {
     return name.substr(0, name.find('.'));
 }
 
+ExitCode unreadable(const Error& error) {
+    fmt::print(stderr, "surefoot: {}\n", error.text);
+    return ExitCode::file;
+}
+
+ExitCode replay_question(const std::string& file, const ReplayOptions& given) {
+    const Expected<Capture> capture = read_capture(file);
+    if (!capture) return unreadable(capture.error());
+    if (given.cpp) {
+        write_out(capture_cpp_test(*capture, stem_of(file)));
+        return ExitCode::ok;
+    }
+    const Replay again = replay(*capture);
+    write_out(given.json ? json_line(file, *capture, again) : report(file, *capture, again));
+    return again.is_same() ? ExitCode::ok : ExitCode::failed;
+}
+
+ExitCode replay_step(const std::string& file, const ReplayOptions& given) {
+    const Expected<StepCapture> capture = read_step_capture(file);
+    if (!capture) return unreadable(capture.error());
+    const StepReplay again = replay(*capture);
+    write_out(given.json ? step_json(file, *capture, again) : step_report(file, *capture, again));
+    return again.is_same() ? ExitCode::ok : ExitCode::failed;
+}
+
+ExitCode replay_session(const std::string& file, const ReplayOptions& given) {
+    const Expected<Session> session = read_session(file);
+    if (!session) return unreadable(session.error());
+    SessionOptions options = given.session;
+    options.json = given.json;
+    return run_session(file, *session, options);
+}
+
+SavedKind kind_of(const std::string& file) {
+    std::ifstream input(file, std::ios::binary);
+    std::stringstream text;
+    text << input.rdbuf();
+    return saved_kind(text.str());
+}
+
+ExitCode replay_file(const std::string& file, const ReplayOptions& given) {
+    const SavedKind kind = kind_of(file);
+    if (kind == SavedKind::question) return replay_question(file, given);
+    if (given.cpp) throw Failure{ExitCode::usage, fmt::format("{}: --cpp is for sweeps and rays", file)};
+    return kind == SavedKind::step ? replay_step(file, given) : replay_session(file, given);
+}
+
 ExitCode run_replay(const ReplayOptions& given) {
     ExitCode code = ExitCode::ok;
     for (std::size_t i = 0; i < given.files.size(); ++i) {
-        const std::string& file = given.files[i];
-        const Expected<Capture> capture = read_capture(file);
-        if (!capture) {
-            fmt::print(stderr, "surefoot: {}\n", capture.error().text);
-            code = ExitCode::file;
-            continue;
-        }
-        if (given.cpp) {
-            write_out(capture_cpp_test(*capture, stem_of(file)));
-            continue;
-        }
-        const Replay again = replay(*capture);
-        if (!again.is_same() && code == ExitCode::ok) code = ExitCode::failed;
-        if (given.json) {
-            write_out(json_line(file, *capture, again));
-        } else {
-            write_out((i == 0 ? "" : "\n") + report(file, *capture, again));
-        }
+        if (i > 0 && !given.json && !given.cpp) write_out("\n");
+        const ExitCode its = replay_file(given.files[i], given);
+        if (its == ExitCode::file || code == ExitCode::ok) code = its;
     }
     return code;
 }
@@ -90,7 +122,8 @@ ExitCode run_replay(const ReplayOptions& given) {
 }  // namespace
 
 void add_replay(CLI::App& program, Run& run) {
-    auto* command = program.add_subcommand("replay", "Ask a saved moment again: the same bits, and why?");
+    auto* command = program.add_subcommand(
+        "replay", "Ask a saved moment again, make a step or play a session again: the same bits, and why?");
     const auto given = std::make_shared<ReplayOptions>();
     command
         ->add_option("files", given->files, "Moments, as `sweep --save`, `prove --save-failures` or a game wrote them")
@@ -99,10 +132,17 @@ void add_replay(CLI::App& program, Run& run) {
     auto* json = command->add_flag("--json", given->json, "Print a line of JSON for each file");
     command->add_flag("--cpp", given->cpp, "Print each as a GoogleTest case in C++ that expects the recorded answer")
         ->excludes(json);
+    given->session.level.add_to(*command, "--level", false);
+    command->add_option("--tick", given->session.tick, "Of a session: tell why this tick went as it did")
+        ->type_name("N");
+    command->add_option("--save", given->session.save, "Of a session: save the step of that tick as a moment")
+        ->type_name("FILE");
     command->footer(
         help_footer("  surefoot sweep castle.obj --shape sphere:0.5 --from 0,2,0 --to 0,2,12 --save moment.json\n"
                     "  surefoot replay moment.json\n"
                     "  surefoot replay moment.json --cpp > moment_test.cpp\n"
+                    "  surefoot replay stopped.json\n"
+                    "  surefoot replay session.json --level castle.obj --tick 120 --save stopped.json\n"
                     "\nExit codes: 0 each is the same, 1 at least one differs, 2 wrong usage, 3 a file cannot be "
                     "read."));
     command->callback([given, &run] { run = [given] { return run_replay(*given); }; });

@@ -32,8 +32,9 @@
 namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
-/// The form of the file that this library writes. It reads this one and those before it.
-inline constexpr std::uint32_t capture_format = 1;
+/// The newest form of file that this library writes. It reads this one and those before it. Questions are of form 1,
+/// steps of form 2; nothing is written in a newer form than it needs.
+inline constexpr std::uint32_t capture_format = 2;
 
 /// What kind of question was asked.
 enum class CaptureKind : std::uint8_t {
@@ -70,9 +71,9 @@ struct CapturedBody {
 
 /// Which build gave the answer.
 struct CaptureOrigin {
-    Version library{};                      ///< the library's version
-    std::string abi;                        ///< its ABI, `abi_name`
-    std::uint32_t format = capture_format;  ///< of the file
+    Version library{};         ///< the library's version
+    std::string abi;           ///< its ABI, `abi_name`
+    std::uint32_t format = 1;  ///< of the file
 };
 
 /// A moment: everything that `replay` needs, and nothing else.
@@ -140,12 +141,22 @@ struct Replay {
 /// `invalid`.
 [[nodiscard]] Replay replay(const Capture& capture, Trace* trace = nullptr);
 
+/// What a file holds.
+enum class SavedKind : std::uint8_t {
+    question,  ///< a `Capture`, or nothing that is known
+    step,      ///< a `StepCapture`, see capture_step.hpp
+    session,   ///< a `Session`, see capture_session.hpp
+};
+
+/// Looks, without reading all of it, which of them a text could be.
+[[nodiscard]] SavedKind saved_kind(std::string_view text) noexcept;
+
 /// The file's text.
 [[nodiscard]] std::string capture_text(const Capture& capture);
 
 /// Reads the text of a file, called `file` in errors. Fails with `unreadable`, and the byte, for what is not such a
-/// text to the letter: a member unknown, missing or there twice is no capture; with `unsupported` for a newer form, and
-/// with `limit` beyond 2^20 triangles or 2^12 bodies.
+/// text to the letter: a member unknown, missing or there twice is no capture; with `unsupported` for a newer form and
+/// for what is no question, and with `limit` beyond 2^20 triangles or 2^12 bodies.
 [[nodiscard]] Expected<Capture> parse_capture(std::string_view text, std::string_view file = {});
 
 /// Writes the file. Whoever looks finds the whole old file or the whole new one. Fails with `write_failed`.

@@ -56,7 +56,7 @@ void add_if_missing(std::vector<T>& sorted, const T& one) {
 Capture with_origin(const CapturedQuestion& question) {
     Capture capture;
     capture.question = question;
-    capture.origin = {.library = library_version(), .abi = abi_name, .format = capture_format};
+    capture.origin = {.library = library_version(), .abi = abi_name};
     return capture;
 }
 

@@ -100,12 +100,19 @@ bool JsonReader::null() {
     return true;
 }
 
+bool JsonReader::empty_array() {
+    const std::size_t begin = at_;
+    if (good() && take_if('[') && take_if(']')) return true;
+    at_ = begin;
+    return false;
+}
+
 void JsonReader::end() {
     skip_space();
     if (at_ != text_.size()) fail("nothing may follow the last brace");
 }
 
-std::size_t JsonReader::member_name(std::span<const std::string_view> names, std::uint32_t seen) {
+std::size_t JsonReader::member_name(std::span<const std::string_view> names, std::uint64_t seen) {
     skip_space();
     const std::size_t begin = at_;
     const std::string name = text();
@@ -168,6 +175,19 @@ std::uint32_t JsonReader::whole_number() {
     }
     at_ += length;
     return value;
+}
+
+std::uint64_t JsonReader::bits() {
+    skip_space();
+    const std::size_t begin = at_;
+    const std::string word = text();
+    std::uint64_t value = 0;
+    const char* const last = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), last, value, 16);
+    if (word.size() == 16 && read.ec == std::errc() && read.ptr == last) return value;
+    at_ = good() ? begin : at_;
+    fail("16 hexadecimal digits in quotes must be here");
+    return 0;
 }
 
 bool JsonReader::yes() {

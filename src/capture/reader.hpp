@@ -30,16 +30,16 @@ public:
 
     /// The members of an object, in any order, each at most once: calls `read(index)` for each of `names`, after its
     /// name and colon. All of the first `required` must be there. Returns which were, a bit each.
-    /// Requires: at most 32 names.
+    /// Requires: at most 64 names.
     template <typename Read>
-    std::uint32_t object(std::span<const std::string_view> names, std::size_t required, const Read& read) {
-        std::uint32_t seen = 0;
+    std::uint64_t object(std::span<const std::string_view> names, std::size_t required, const Read& read) {
+        std::uint64_t seen = 0;
         take('{');
         if (!peek('}')) {
             do {
                 const std::size_t index = member_name(names, seen);
                 if (!good()) return seen;
-                seen |= std::uint32_t{1} << index;
+                seen |= std::uint64_t{1} << index;
                 read(index);
             } while (good() && take_if(','));
         }
@@ -63,6 +63,7 @@ public:
 
     [[nodiscard]] double number();
     [[nodiscard]] std::uint32_t whole_number();
+    [[nodiscard]] std::uint64_t bits();  ///< 16 hexadecimal digits, in quotes
     [[nodiscard]] bool yes();
     [[nodiscard]] std::string text();
     [[nodiscard]] dvec3 vector();
@@ -72,6 +73,8 @@ public:
     [[nodiscard]] std::size_t one_of(std::span<const std::string_view> words);
     /// Takes `null` if it is there.
     [[nodiscard]] bool null();
+    /// Takes `[]` if it is there.
+    [[nodiscard]] bool empty_array();
     /// Nothing but white space may follow.
     void end();
 
@@ -81,7 +84,7 @@ public:
 
 private:
     void skip_space() noexcept;
-    std::size_t member_name(std::span<const std::string_view> names, std::uint32_t seen);
+    std::size_t member_name(std::span<const std::string_view> names, std::uint64_t seen);
     void character(std::string& out);
     std::uint32_t four_digits();
 

@@ -1,11 +1,9 @@
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <span>
 
 #include <surefoot/capture.hpp>
 #include <surefoot/visited_source.hpp>
 
+#include "capture/captured_world.hpp"
 #include "query/answers.hpp"
 #include "sweep/sweep.hpp"
 
@@ -16,44 +14,6 @@ using namespace internal;
 
 namespace {
 
-/// The captured triangles of one body. Every question goes to all of them, so none can be passed over.
-class CapturedTriangles {
-public:
-    CapturedTriangles(std::span<const CapturedTriangle> triangles, const Bounds& bounds) noexcept
-        : triangles_(triangles), bounds_(bounds) {}
-
-    [[nodiscard]] Bounds bounds() const noexcept { return bounds_; }
-    void visit(const Bounds&, const TriangleSink& sink) const noexcept {
-        for (const CapturedTriangle& one : triangles_) sink(one.triangle, one.id, one.surface);
-    }
-    [[nodiscard]] Triangle triangle(std::uint32_t id) const noexcept {
-        const CapturedTriangle* const one = find(id);
-        return one != nullptr ? one->triangle : Triangle{};
-    }
-    [[nodiscard]] std::uint32_t surface(std::uint32_t id) const noexcept {
-        const CapturedTriangle* const one = find(id);
-        return one != nullptr ? one->surface : 0;
-    }
-
-private:
-    [[nodiscard]] const CapturedTriangle* find(std::uint32_t id) const noexcept {
-        const auto place = std::lower_bound(triangles_.begin(), triangles_.end(), id,
-                                            [](const CapturedTriangle& a, std::uint32_t b) { return a.id < b; });
-        return place != triangles_.end() && place->id == id ? &*place : nullptr;
-    }
-
-    std::span<const CapturedTriangle> triangles_;
-    Bounds bounds_;
-};
-
-bool is_box(const Bounds& bounds) noexcept {
-    const auto in_order = [](double low, double high) {
-        return std::isfinite(low) && std::isfinite(high) && low <= high;
-    };
-    return in_order(bounds.min.x, bounds.max.x) && in_order(bounds.min.y, bounds.max.y) &&
-           in_order(bounds.min.z, bounds.max.z);
-}
-
 std::optional<Hit> ask_triangles(const Capture& capture, Trace* trace) noexcept {
     const CapturedTriangles triangles(capture.triangles, {});
     const VisitedSource source(triangles);
@@ -63,20 +23,9 @@ std::optional<Hit> ask_triangles(const Capture& capture, Trace* trace) noexcept 
 }
 
 std::optional<Hit> ask_world(const Capture& capture, Trace* trace) {
-    std::vector<CapturedTriangles> triangles;
-    std::vector<VisitedSource> sources;
-    triangles.reserve(capture.bodies.size());
-    sources.reserve(capture.bodies.size());  // the world refers to them
-    World world;
-    for (const CapturedBody& body : capture.bodies) {
-        const auto [begin, end] =
-            std::equal_range(capture.triangles.begin(), capture.triangles.end(), CapturedTriangle{.body = body.body},
-                             [](const CapturedTriangle& a, const CapturedTriangle& b) { return a.body < b.body; });
-        sources.emplace_back(triangles.emplace_back(std::span(begin, end), body.bounds));
-        if (body.body == lowest_free_body || !is_box(body.bounds)) return blocked(HitStatus::invalid);
-        const auto handle = world.add(sources.back(), {.pose = body.start, .body = body.body});
-        if (!handle || !world.move(*handle, body.start, body.end)) return blocked(HitStatus::invalid);
-    }
+    const CapturedWorld captured(capture.triangles, capture.bodies);
+    if (!captured.is_whole()) return blocked(HitStatus::invalid);
+    const World& world = captured.get();
     const CapturedQuestion& q = capture.question;
     const WorldQuery query{.one_sided = q.one_sided,
                            .search = Search::brute_force,

@@ -118,13 +118,13 @@ void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& h
 }
 
 std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
-                                  const Triangle& triangle, const Planes& planes) noexcept {
+                                  const Triangle& triangle, const Planes& planes, StartSign sign) noexcept {
     if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
-    Approach approach = approach_at_start(volume, motion, triangle);
     const Plane nearest = planes.shallowest(heading_of(query, motion));
-    if (has_fault(Fault::approach_in_doubles)) {
-        approach = nearest.approach < 0 ? Approach::deeper : Approach::no_closer;
-    }
+    const bool in_doubles = sign == StartSign::rounded || has_fault(Fault::approach_in_doubles);
+    const Approach approach = !in_doubles            ? approach_at_start(volume, motion, triangle)
+                              : nearest.approach < 0 ? Approach::deeper
+                                                     : Approach::no_closer;
     if (approach == Approach::overflow) {
         Hit hit = blocked(HitStatus::overflow);
         hit.triangle = query.triangle_id;
@@ -181,7 +181,7 @@ Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triang
 }
 
 std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
-                          double limit, Trace* trace) noexcept {
+                          double limit, Trace* trace, StartSign sign) noexcept {
     const Quick quick = decide_quickly(query, motion, triangle, limit);
     if (quick.decided && trace == nullptr) return quick.hit;
     Planes planes(query, Ask::everything, limit, trace);
@@ -192,9 +192,9 @@ std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const M
         propose_standing(query, motion, planes);
     }
     if (planes.motion_is_free()) return std::nullopt;
-    if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes);
+    if (!planes.starts_apart()) return hit_from_start(query, volume, motion, triangle, planes, sign);
 
-    if ((planes.grazes_last() || planes.may_slip_by()) &&
+    if (sign == StartSign::exact && (planes.grazes_last() || planes.may_slip_by()) &&
         approach_at_start(volume, motion, triangle) == Approach::no_closer) {
         return std::nullopt;  // g is convex: what does not come closer at the start never does
     }
@@ -215,14 +215,15 @@ bool is_valid_query(const Volume& volume, const Motion& motion) noexcept {
 }
 
 std::optional<Hit> sweep_triangle(const Volume& volume, const Motion& motion, const Triangle& triangle,
-                                  std::uint32_t id, bool one_sided, double limit, Trace* trace) noexcept {
+                                  std::uint32_t id, bool one_sided, double limit, Trace* trace,
+                                  StartSign sign) noexcept {
     // Standing still comes no closer to anything.
     if (to_vec(motion.from) == to_vec(motion.to)) return std::nullopt;
     if (has_fault(Fault::absolute_epsilon) && length(to_vec(motion.to) - to_vec(motion.from)) < 1e-5)
         return std::nullopt;
     if (one_sided && !faces(motion, triangle)) return std::nullopt;
     const SweepQuery query(volume, motion, triangle, id);
-    const std::optional<Hit> hit = decide(query, volume, motion, triangle, limit, trace);
+    const std::optional<Hit> hit = decide(query, volume, motion, triangle, limit, trace, sign);
     record_decision(trace, id, hit);
     return hit;
 }

@@ -5,16 +5,15 @@
 //     golden tests/golden/golden.txt             compares
 //     golden tests/golden/golden.txt --update    writes the file anew: only when answers are meant to change
 
-#include <bit>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "characters.hpp"
+#include "hash.hpp"
 #include "queries.hpp"
 
 namespace golden {
@@ -22,58 +21,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> shape_names{"sphere", "ellipsoid", "capsule", "box", "cylinder", "cone"};
 constexpr int queries_per_concept = 2000;
-
-// Field by field, so that padding never counts, and bit by bit, so that -0 is not 0.
-class Hash {
-public:
-    Hash& operator<<(std::uint64_t word) {
-        state_ = (std::rotl(state_, 23) ^ word) * 0x9fb21c651e98df25u;
-        state_ ^= state_ >> 29;
-        return *this;
-    }
-    Hash& operator<<(double value) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, &value, sizeof word);
-        return *this << word;
-    }
-    Hash& operator<<(const surefoot::dvec3& v) { return *this << v.x << v.y << v.z; }
-    Hash& operator<<(const surefoot::Hit& hit) {
-        return *this << hit.t << hit.point << hit.normal << std::uint64_t{hit.triangle} << std::uint64_t{hit.surface}
-                     << std::uint64_t{hit.body} << static_cast<std::uint64_t>(hit.feature)
-                     << static_cast<std::uint64_t>(hit.status) << static_cast<std::uint64_t>(hit.started_inside);
-    }
-    Hash& operator<<(const surefoot::Overlap& found) {
-        return *this << found.point << found.normal << found.depth << std::uint64_t{found.triangle}
-                     << std::uint64_t{found.surface} << std::uint64_t{found.body}
-                     << static_cast<std::uint64_t>(found.feature) << static_cast<std::uint64_t>(found.status);
-    }
-    Hash& operator<<(const surefoot::PairHit& hit) {
-        return *this << hit.t << hit.point << hit.normal << static_cast<std::uint64_t>(hit.status)
-                     << static_cast<std::uint64_t>(hit.started_inside);
-    }
-    Hash& operator<<(const surefoot::PairOverlap& found) {
-        return *this << found.point << found.normal << found.depth << static_cast<std::uint64_t>(found.status);
-    }
-    Hash& operator<<(const surefoot::MarchHit& met) {
-        return *this << met.hit << met.position << std::uint64_t{met.step};
-    }
-    template <typename T>
-    Hash& operator<<(const std::optional<T>& answer) {
-        *this << std::uint64_t{answer.has_value()};
-        if (answer) {
-            *this << *answer;
-            ++hits_;
-        }
-        return *this;
-    }
-
-    std::uint64_t value() const { return state_; }
-    int hits() const { return hits_; }
-
-private:
-    std::uint64_t state_ = 0x243f6a8885a308d3u;
-    int hits_ = 0;
-};
 
 struct Result {
     std::uint64_t hash;
@@ -315,6 +262,14 @@ void voxels(Results& results) {
     record(results, "voxels.move", moved);
 }
 
+void character(Results& results) {
+    for (std::size_t kind = 0; kind < shape_names.size(); ++kind) {
+        Hash hash;
+        walk_about(hash, kind);
+        record(results, "step." + std::string(shape_names[kind]), hash);
+    }
+}
+
 Results ask_everything() {
     Results results;
     sweep_each_shape(results);
@@ -327,6 +282,7 @@ Results ask_everything() {
     world(results);
     height_field(results);
     voxels(results);
+    character(results);
     return results;
 }
 

@@ -1,0 +1,57 @@
+/// What the files of scenes share.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "course/catalogue.hpp"
+#include "course/measures.hpp"
+
+namespace surefoot::course {
+
+/// A short name for a number: "30", "0.25".
+[[nodiscard]] inline std::string text_of(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// A run of the hero that begins two skins above a place on the ground.
+[[nodiscard]] inline Run run_at(std::string name, LevelPointer level, const dvec3& ground, Script script,
+                                double seconds = 3) {
+    Run run;
+    run.settings = hero();
+    run.name = std::move(name);
+    run.level = std::move(level);
+    run.start = ground + dvec3{0, standing(run.settings) + 2 * run.settings.skin, 0};
+    run.script = std::move(script);
+    run.seconds = seconds;
+    return run;
+}
+
+/// The height of the lowest point of the capsule at the end.
+[[nodiscard]] inline double feet(const Outing& outing) {
+    return outing.last().position.y - standing(outing.run->settings);
+}
+
+/// Numbers that look random and are the same on every machine.
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t bits() {
+        state_ += 0x9e3779b97f4a7c15ULL;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+    double from(double low, double high) { return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53; }
+
+private:
+    std::uint64_t state_;
+};
+
+}  // namespace surefoot::course

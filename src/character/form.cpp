@@ -1,0 +1,68 @@
+#include "character/form.hpp"
+
+#include <surefoot/overlap.hpp>
+
+#include "character/body.hpp"
+#include "character/tick.hpp"
+#include "world/ask.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// The form that the situation asks for.
+CharacterForm wanted(const Tick& tick) noexcept {
+    const CharacterSettings& settings = tick.settings;
+    if (tick.input.crouch && settings.crouched) return CharacterForm::crouched;
+    if (tick.state.footing != Footing::ground && settings.in_air) return CharacterForm::in_air;
+    const bool is_ramp =
+        tick.state.footing == Footing::ground && dot(to_vec(tick.state.ground_normal), tick.up) < ramp_rises_at_most;
+    if (is_ramp && settings.on_ramp) return CharacterForm::on_ramp;
+    return CharacterForm::standing;
+}
+
+}  // namespace
+
+const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) noexcept {
+    if (form == CharacterForm::crouched && settings.crouched) return *settings.crouched;
+    if (form == CharacterForm::in_air && settings.in_air) return *settings.in_air;
+    if (form == CharacterForm::on_ramp && settings.on_ramp) return *settings.on_ramp;
+    return settings.volume;
+}
+
+bool has_room(Tick& tick, const Body& body, const Vec& position) noexcept {
+    const Vec wide = Vec{1, 1, 1} * (2 * tick.gait.skin);
+    const Vec low = position + body.below - wide;
+    const Vec high = position + body.above + wide;
+    if (!tick.surroundings.cover(low, high)) return false;
+    const GrownVolume near = grown(body.volume, 0.5 * tick.gait.skin);
+    bool room = true;
+    tick.surroundings.near(low, high, [&](const SourceTriangle& triangle) {
+        if (!room || tick.surroundings.rule_of(triangle.surface).one_way) return;
+        room = !surefoot::overlap(near.volume, to_dvec3(position + near.shift), triangle.triangle);
+    });
+    return room;
+}
+
+void change_form(Tick& tick) noexcept {
+    const CharacterForm form = wanted(tick);
+    if (form == tick.state.form) return;
+    const Body body = body_of(volume_of(tick.settings, form), tick.settings.skin, tick.up);
+    // The feet stay where they are.
+    const Vec position = tick.position + tick.up * (body.foot - tick.body.foot);
+    const bool room = has_room(tick, body, position);
+    tick.tell({.normal = to_dvec3(tick.up),
+               .value = body.foot - tick.body.foot,
+               .act = room ? StepAct::changed_form : StepAct::form_refused,
+               .rule = room ? StepRule::none : StepRule::head_room});
+    if (!room) {
+        tick.say(CharacterEvent::no_room);
+        return;
+    }
+    tick.state.form = form;
+    tick.body = body;
+    tick.surroundings.forget_body();
+    tick.position = position;
+}
+
+}  // namespace surefoot::internal

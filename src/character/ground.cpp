@@ -1,0 +1,115 @@
+#include "character/ground.hpp"
+
+#include "character/seams.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// Touches within this share of the skin below the first are held by as well.
+constexpr double together = 0.25;
+
+// Who walks at an edge at a smaller angle than this (as a sine) walks along it.
+constexpr double towards_at_least = 0.1;
+
+// Walking off an edge: does the ground go on below it, near enough to be followed? Asked of a place that is clear of
+// the edge.
+bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                   const Vec& position, const Vec& edge, const Vec& aside) noexcept {
+    const Vec clear = position - aside * ((body.half_width + 2 * gait.skin) / length(aside) - 1);
+    const GroundRule strict{rule.perch_distance, {}};
+    const Ground below = ground_under(surroundings, body, gait, strict, clear, 2 * rule.follows + gait.skin);
+    if (!below.trusted || below.footing != Footing::ground) return false;
+    return dot(edge - below.point, gait.up) <= rule.follows + gait.skin;
+}
+
+// Does an edge that is touched too steeply hold a body that walks?
+bool holds_walking(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                   const Vec& position, const Vec& edge, const Vec& aside) noexcept {
+    const double ahead = dot(aside, rule.towards);
+    if (ahead > towards_at_least * length(aside)) return true;  // up on to it
+    if (ahead > -towards_at_least * length(aside) || !(rule.follows > 0)) return false;
+    return goes_on_below(surroundings, body, gait, rule, position, edge, aside);
+}
+
+// Whether a touch holds a body, and if not, why.
+struct Hold {
+    Footing footing = Footing::ground;
+    StepRule rule = StepRule::none;
+    double value = 0;
+    double limit = 0;
+};
+
+Hold hold_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+             const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
+    const double rises = dot(surface, gait.up);
+    if (surroundings.rule_of(surroundings.triangles()[touch.index].surface).slippery) {
+        return {Footing::steep, StepRule::slippery, 0, 0};
+    }
+    if (rises < gait.least_ground_up) return {Footing::steep, StepRule::slope_limit, rises, gait.least_ground_up};
+    if (dot(normal, gait.up) >= gait.least_ground_up) return {};
+    const Vec out = touch.point - position;
+    const Vec aside = out - gait.up * dot(out, gait.up);
+    if (dot(aside, aside) <= rule.perch_distance * rule.perch_distance) return {};
+    if (holds_walking(surroundings, body, gait, rule, position, touch.point, aside)) return {};
+    return {Footing::steep, StepRule::perch_distance, length(aside), rule.perch_distance};
+}
+
+}  // namespace
+
+Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                    const Vec& position, double depth) noexcept {
+    Ground ground;
+    const Vec down = gait.up * -depth;
+    const Vec to = position + down;
+    const Vec wide = Vec{1, 1, 1} * (gait.skin * 2);
+    if (!surroundings.cover(
+            Vec{smaller(position.x, to.x), smaller(position.y, to.y), smaller(position.z, to.z)} + body.below - wide,
+            Vec{larger(position.x, to.x), larger(position.y, to.y), larger(position.z, to.z)} + body.above + wide)) {
+        ground.trusted = false;
+        return ground;
+    }
+    Touches touches;
+    surroundings.sweep(body, position, down, touches);
+    double first = -1;
+    for (const Touch& touch : touches.get()) {
+        if (touch.status != HitStatus::ok) {
+            ground.trusted = false;
+            return ground;
+        }
+        const double distance = touch.t * depth;
+        if (first >= 0 && distance > first + together * gait.skin) break;
+        const SourceTriangle triangle = surroundings.triangles()[touch.index];
+        const Vec centre = position + down * touch.t;
+        const Faces faces = faces_of(touch, surroundings, body, 0.5 * gait.skin, centre);
+        for (const Vec& normal : faces.get()) {
+            if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
+            if (first < 0) first = distance;
+            const Vec surface =
+                faces.replaced ? normal : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
+            const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
+            const Footing footing = hold.footing;
+            const bool better = ground.footing == Footing::air ||
+                                (footing == Footing::ground && ground.footing == Footing::steep) ||
+                                (footing == ground.footing && dot(surface, gait.up) > dot(ground.normal, gait.up));
+            if (!better) continue;
+            ground = {footing,          first,     surface,    normal,     touch.point, triangle.body, triangle.id,
+                      triangle.surface, hold.rule, hold.value, hold.limit, true};
+        }
+    }
+    return ground;
+}
+
+void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
+                     Ground& ground) noexcept {
+    if (ground.footing != Footing::steep || ground.rule == StepRule::slippery) return;
+    Gait falling = gait;
+    falling.on_foot = false;
+    const SlideResult slid = slide(surroundings, body, falling, position, gait.up * -gait.skin, {});
+    if (!(slid.position == position)) return;
+    ground.footing = Footing::ground;
+    ground.normal = gait.up;
+    ground.distance = 0;
+}
+
+}  // namespace surefoot::internal

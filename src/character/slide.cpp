@@ -1,0 +1,282 @@
+#include "character/slide.hpp"
+
+#include <cmath>
+
+#include "character/neighbours.hpp"
+#include "character/seams.hpp"
+
+namespace surefoot::internal {
+
+namespace {
+
+// Each pass goes on to the next touch. Corners take three, a funnel some more; what takes longer than this is rough
+// ground at high speed, and waits for the next tick.
+constexpr int most_passes = 12;
+
+// Motions below this share of the wish are rest.
+constexpr double rest = 1e-9;
+
+// What is met within this share of the skin after the first touch is met with it.
+constexpr double together = 0.25;
+
+// Would obeying the plane lift the body by more than it wants to rise?
+bool lifts(const Vec& wish, const Vec& normal, const Vec& up) noexcept {
+    const double into = dot(normal, wish);
+    return into < 0 && dot(wish - normal * into, up) > larger(0, dot(wish, up));
+}
+
+// Longer moves than this many times the body's size are first asked of the world's own tree.
+constexpr double leap_from = 4;
+
+class Slide {
+public:
+    Slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, const Vec& wish,
+          const Planes3& planes) noexcept
+        : surroundings_(surroundings), body_(body), gait_(gait), target_(from + wish), wish_length_(length(wish)) {
+        result_.position = from;
+        result_.planes = planes;
+        size_ = largest(body.above - body.below);
+    }
+
+    SlideResult run() noexcept {
+        for (int pass = 0; pass < most_passes; ++pass) {
+            const Vec wish = target_ - result_.position;
+            const Vec motion = allowed(wish);
+            if (length(motion) <= rest * wish_length_) {
+                if (wish_length_ > 0) tell({.position = {}, .motion = to_dvec3(wish), .act = StepAct::rested});
+                return result_;
+            }
+            tell({.motion = to_dvec3(motion), .act = StepAct::pass});
+            if (go(motion) || gait_.stops) return result_;
+        }
+        return result_;
+    }
+
+private:
+    void tell(StepRecord record) const noexcept {
+        surroundings_.tell([&] {
+            record.position = to_dvec3(result_.position);
+            return record;
+        });
+    }
+
+    void tell(StepAct act, const Touch& touch, const Vec& normal, StepRule rule = StepRule::none, double value = 0,
+              double limit = 0) const noexcept {
+        surroundings_.tell([&] {
+            const Named named = surroundings_.name_of(touch);
+            return StepRecord{.position = to_dvec3(result_.position),
+                              .point = to_dvec3(touch.point),
+                              .normal = to_dvec3(normal),
+                              .value = value,
+                              .limit = limit,
+                              .triangle = named.triangle,
+                              .body = named.body,
+                              .act = act,
+                              .rule = rule,
+                              .feature = touch.feature};
+        });
+    }
+
+    Vec allowed(const Vec& wish) const noexcept {
+        return gait_.on_foot ? result_.planes.nearest_on_foot(wish, gait_.up) : result_.planes.nearest_to(wish);
+    }
+
+    // True when the slide is over.
+    bool go(const Vec& motion) noexcept {
+        const double way = length(motion);
+        if (way > leap_from * size_) return leap(motion, way);
+        if (!cover(motion)) {
+            tell({.act = StepAct::overflow});
+            result_.overflow = true;
+            return true;
+        }
+        surroundings_.sweep(body_, result_.position, motion, touches_);
+        surroundings_.neighbours().sweep(result_.position, motion, touches_);
+        return go_to_first(motion, way);
+    }
+
+    // Everything that the motion may touch, and what is beside it, for the seams.
+    bool cover(const Vec& motion) noexcept {
+        const Vec to = result_.position + motion;
+        const Vec& from = result_.position;
+        const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
+        return surroundings_.cover(
+            Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + body_.below - wide,
+            Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + body_.above + wide);
+    }
+
+    // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
+    bool leap(const Vec& motion, double way) noexcept {
+        const Vec from = result_.position + body_.shift;
+        // One-way surfaces are none to what rises.
+        const bool rises = dot(motion, gait_.up) > 0;
+        const auto exists = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !(rises && surroundings_.rule_of(surface).one_way);
+        };
+        WorldQuery query = surroundings_.query();
+        query.triangles = BodyTriangleFilter(exists);
+        const auto hit = surroundings_.world().sweep(body_.kept_off, {to_dvec3(from), to_dvec3(from + motion)}, query);
+        const double t = surroundings_.neighbours().first(result_.position, motion, hit ? hit->t : 2);
+        if (t > 1) {
+            result_.position = result_.position + motion;
+            return true;
+        }
+        const double room = t * way - size_;
+        if (room > 0) result_.position = result_.position + motion * (room / way);
+        const Vec near = motion * (2 * size_ / way);
+        if (!cover(near)) {
+            result_.overflow = true;
+            return true;
+        }
+        surroundings_.sweep(body_, result_.position, near, touches_);
+        surroundings_.neighbours().sweep(result_.position, near, touches_);
+        (void)go_to_first(near, 2 * size_);
+        return false;
+    }
+
+    bool go_to_first(const Vec& motion, double way) noexcept {
+        const std::span<const Touch> touches = touches_.get();
+        std::size_t i = 0;
+        for (; i < touches.size(); ++i) {
+            if (touches[i].status != HitStatus::ok) {
+                result_.blocked = true;
+                return true;
+            }
+            if (meet(touches[i], motion)) break;
+        }
+        if (i == touches.size()) {
+            result_.position = result_.position + motion;
+            return true;
+        }
+        const double t = touches[i].t;
+        for (std::size_t k = i + 1; k < touches.size() && (touches[k].t - t) * way <= together * gait_.skin; ++k) {
+            if (touches[k].status == HitStatus::ok) (void)meet(touches[k], motion);
+        }
+        if (t > 0) result_.position = result_.position + motion * t;
+        return result_.overflow;
+    }
+
+    // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
+    bool meet(const Touch& touch, const Vec& motion) noexcept {
+        if (touch.is_neighbour) return meet_neighbour(touch, motion);
+        const Vec centre = result_.position + motion * touch.t;
+        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
+        const double way = length(motion);
+        bool in_the_way = false;
+        for (const Vec& normal : faces.get()) {
+            // What is obeyed already is so within rounding.
+            if (dot(normal, motion) >= -along_tolerance * way || result_.planes.has(normal)) continue;
+            if (!in_the_way) tell(StepAct::touch, touch, touch.normal, StepRule::none, touch.t);
+            if (faces.replaced) tell(StepAct::seam, touch, normal);
+            in_the_way = true;
+            obey(normal, touch, centre);
+        }
+        if (!in_the_way) tell(StepAct::passed_over, touch, faces.normals[0], StepRule::none, touch.t);
+        return in_the_way;
+    }
+
+    // Neighbours are walls, however their bodies are rounded: nobody walks up another, or is pressed down by one.
+    bool meet_neighbour(const Touch& touch, const Vec& motion) noexcept {
+        const Vec& normal = touch.normal;
+        if (dot(normal, motion) >= -along_tolerance * length(motion) || result_.planes.has(normal)) return false;
+        tell(StepAct::met_neighbour, touch, normal, StepRule::none, touch.t);
+        note(normal, touch, 0);
+        const double rises = dot(normal, gait_.up);
+        const Vec level = normal - gait_.up * rises;
+        const double run = length(level);
+        bool room = result_.planes.add(normal);
+        if (run > 1e-6 && gait_.on_foot) {
+            room = result_.planes.add(level / run) && room;
+        } else if (run > 1e-6 && rises > 0) {
+            never_lift(level / run, normal, touch, result_.position + motion * touch.t);
+        }
+        if (!room) {
+            tell(StepAct::overflow, touch, normal);
+            result_.overflow = true;
+        }
+        return true;
+    }
+
+    void obey(const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
+        const double rises = dot(normal, gait_.up);
+        const bool is_steep = rises > 0 && rises < gait_.least_ground_up;
+        note(normal, touch, rises);
+        tell(StepAct::obeyed, touch, normal);
+        bool room = result_.planes.add(normal);
+        if (rises >= gait_.least_ground_up && !gait_.on_foot) come_down(centre);
+        if (is_steep) {
+            const Vec level = normal - gait_.up * rises;
+            const double run = length(level);
+            if (run > 1e-6) {
+                const Vec wall = level / run;
+                if (gait_.on_foot) {
+                    tell(StepAct::wall, touch, wall, StepRule::slope_limit, rises, gait_.least_ground_up);
+                    room = result_.planes.add(wall) && room;
+                } else {
+                    never_lift(wall, normal, touch, centre);
+                }
+            }
+        }
+        if (room) return;
+        tell(StepAct::overflow, touch, normal);
+        result_.overflow = true;
+    }
+
+    // On ground that can be stood on a fall ends; it is not led on down the slope.
+    void come_down(const Vec& centre) noexcept {
+        const double rise = dot(target_ - centre, gait_.up);
+        if (rise < 0) target_ = target_ - gait_.up * rise;
+    }
+
+    // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
+    // given up where obeying the plane would lift the body by more than it wants to rise.
+    void never_lift(const Vec& wall, const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
+        const Vec wish = target_ - centre;
+        if (!lifts(wish, normal, gait_.up)) return;
+        target_ = target_ - wall * smaller(0, dot(wall, wish));
+        tell(StepAct::gave_up_rising, touch, normal, StepRule::slope_limit, dot(normal, gait_.up),
+             gait_.least_ground_up);
+    }
+
+    void note(const Vec& normal, const Touch& touch, double rises) noexcept {
+        const Named named = surroundings_.name_of(touch);
+        const Vec wish = target_ - result_.position;
+        const double scale = length(wish);
+        Obstacle met{normal, touch.point, named.body, named.triangle, touch.is_neighbour, 0};
+        if (scale > 0) met.share = -dot(normal, wish) / scale;
+        if (met.share > result_.obstacle.share) result_.obstacle = met;
+        if (touch.is_neighbour) return;  // nothing to step on to
+        if (rises < -0.1) result_.met_ceiling = true;
+        if (rises >= gait_.least_ground_up || rises <= -0.5) return;
+        if (result_.wall_count < result_.walls.size()) result_.walls[result_.wall_count++] = met;
+    }
+
+    Surroundings& surroundings_;
+    const Body& body_;
+    const Gait& gait_;
+    Vec target_;
+    double wish_length_;
+    double size_ = 0;
+    SlideResult result_;
+    Touches touches_;
+};
+
+}  // namespace
+
+Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept {
+    for (const Vec& normal : planes.normals()) {
+        const double rises = dot(normal, gait.up);
+        if (rises <= 0 || rises >= gait.least_ground_up || !lifts(velocity, normal, gait.up)) continue;
+        const Vec level = normal - gait.up * rises;
+        const Vec wall = level / length(level);
+        velocity = velocity - wall * smaller(0, dot(wall, velocity));
+    }
+    return planes.nearest_to(velocity);
+}
+
+SlideResult slide(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, const Vec& wish,
+                  const Planes3& planes) noexcept {
+    return Slide(surroundings, body, gait, from, wish, planes).run();
+}
+
+}  // namespace surefoot::internal

@@ -1,0 +1,162 @@
+// The triangles that one step may meet, taken out of the world once; then many questions are asked of them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include <surefoot/character_surface.hpp>
+#include <surefoot/character_trace.hpp>
+#include <surefoot/hit.hpp>
+#include <surefoot/query.hpp>
+#include <surefoot/shapes.hpp>
+#include <surefoot/world.hpp>
+
+#include "character/separation.hpp"
+#include "frame.hpp"
+#include "raw_array.hpp"
+#include "vec.hpp"
+
+namespace surefoot::internal {
+
+/// An upright body as the questions of a step need it: the volume kept off by the skin, and the box around it.
+struct Body {
+    Volume volume;                   ///< as the user gave it, turned to `up`
+    Volume kept_off;                 ///< grown by the skin
+    Vec shift;                       ///< from the position to the reference point of `kept_off` [m]
+    Vec below, above;                ///< corners of the box around `kept_off`, relative to the position [m]
+    Frame frame{dquat(1, 0, 0, 0)};  ///< of both
+    double half_width;               ///< the largest horizontal reach of the volume from its axis [m]
+    double foot;                     ///< how far the lowest point of `kept_off` is from the position, along -up [m]
+};
+
+/// One touch on the way of a body.
+struct Touch {
+    double t = 0;           ///< [0, 1]
+    Vec point;              ///< [m]
+    Vec normal;             ///< unit, towards the body
+    std::size_t index = 0;  ///< which of the surrounding triangles
+    Feature feature = Feature::face;
+    HitStatus status = HitStatus::ok;
+    bool is_neighbour = false;  ///< then `index` is one of the neighbours
+};
+
+/// The touches of one move in order of time.
+class Touches {
+public:
+    static constexpr std::size_t most = 48;
+
+    void add(const Touch& touch) noexcept;  // keeps the earliest if there are too many
+    void clear() noexcept { count_ = 0; }
+    [[nodiscard]] std::span<const Touch> get() const noexcept { return {touches_.data(), count_}; }
+
+private:
+    RawArray<Touch, most> touches_;
+    std::size_t count_ = 0;
+};
+
+class Neighbours;
+
+/// Who was touched, in the user's own numbers.
+struct Named {
+    std::uint32_t body = 0;  ///< of a neighbour its id
+    std::uint32_t triangle = 0;
+};
+
+class Surroundings {
+public:
+    static constexpr std::size_t most = 512;
+
+    /// `slack`: how far a body may be behind a one-way surface and still have come from its front [m].
+    Surroundings(const World& world, const WorldQuery& query, const SurfaceRules& rules, double slack,
+                 const Neighbours& neighbours, StepTrace* trace) noexcept
+        : world_(world), query_(query), rules_(rules), slack_(slack), neighbours_(neighbours), trace_(trace) {}
+
+    /// For questions beside those of the step: the same world and rules, nothing covered, no trace.
+    [[nodiscard]] Surroundings beside() const noexcept {
+        return {world_, query_, rules_, slack_, neighbours_, nullptr};
+    }
+
+    /// Makes sure that the triangles in this box are there. False if there are more than find room.
+    bool cover(const Vec& min, const Vec& max) noexcept;
+
+    /// All triangles, in the order of (body, id).
+    [[nodiscard]] std::span<const SourceTriangle> triangles() const noexcept { return {triangles_.data(), count_}; }
+
+    /// Every triangle's touch on the way from `from` by `motion`, `volume` being moved from `from + shift`. Requires:
+    /// the way is covered.
+    void sweep(const Volume& volume, const Vec& shift, const Vec& below, const Vec& above, const Vec& from,
+               const Vec& motion, Touches& touches) const noexcept;
+
+    /// Calls `visit(triangle)` for those whose own box meets this one.
+    template <typename Visit>
+    void near(const Vec& min, const Vec& max, const Visit& visit) const noexcept {
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (boxes_[i].meets(min, max)) visit(triangles_[i]);
+        }
+    }
+
+    /// The same for the body itself, kept off by its skin, which is what most questions are about: a triangle that a
+    /// plane keeps apart from all of the motion is not asked.
+    void sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept;
+
+    /// The body has changed.
+    void forget_body() noexcept { separated_ = nullptr; }
+
+    /// Calls `visit(triangle)` for those that the body, kept off by its skin, may overlap at this place.
+    template <typename Visit>
+    void near_body(const Body& body, const Vec& position, const Visit& visit) noexcept {
+        separate(body, position);
+        const Vec moved = position - separated_at_;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (separations_[i].gap + dot(separations_[i].normal, moved) <= hair_) visit(triangles_[i]);
+        }
+    }
+
+    [[nodiscard]] const World& world() const noexcept { return world_; }
+    [[nodiscard]] const Neighbours& neighbours() const noexcept { return neighbours_; }
+    [[nodiscard]] Named name_of(const Touch& touch) const noexcept;
+    [[nodiscard]] SurfaceRule rule_of(std::uint32_t surface) const noexcept { return rules_[surface]; }
+    [[nodiscard]] const WorldQuery& query() const noexcept { return query_; }
+
+    /// Tells the trace, if there is one. `make()` returns the record, and is not called otherwise.
+    template <typename Make>
+    void tell(const Make& make) const noexcept {
+        if (trace_ != nullptr) trace_->push(make());
+    }
+
+    [[nodiscard]] bool is_traced() const noexcept { return trace_ != nullptr; }
+
+private:
+    struct Box {
+        Vec min;
+        Vec max;
+        [[nodiscard]] bool meets(const Vec& low, const Vec& high) const noexcept {
+            return min.x <= high.x && min.y <= high.y && min.z <= high.z && max.x >= low.x && max.y >= low.y &&
+                   max.z >= low.z;
+        }
+    };
+
+    // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.
+    void separate(const Body& body, const Vec& position) noexcept;
+    void ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept;
+
+    const World& world_;
+    WorldQuery query_;
+    SurfaceRules rules_;
+    double slack_;
+    const Neighbours& neighbours_;
+    StepTrace* trace_;
+    std::size_t count_ = 0;
+    Box covered_{{1, 1, 1}, {-1, -1, -1}};
+    RawArray<SourceTriangle, most> triangles_;
+    RawArray<Box, most> boxes_;
+
+    // The planes, and what they were found for.
+    const Body* separated_ = nullptr;
+    Vec separated_at_;
+    double hair_ = 0;  // gaps below this may be rounding [m]
+    RawArray<Separation, most> separations_;
+};
+
+}  // namespace surefoot::internal
