@@ -90,6 +90,18 @@ TEST(Movement, SlopesUpToTheLimitAreWalkedUpAndSteeperOnesAreNot) {
     }
 }
 
+TEST(Movement, WhoPressesAgainstASlopeThatIsTooSteepSlidesDownItAllTheSame) {
+    const World world = Scene().floor(-20, 1, -10, 10).ramp(0, 6, 60).world();
+    for (const double acceleration : {15.0, 60.0, 1000.0}) {
+        Actor actor;
+        actor.settings.air_acceleration = acceleration;
+        actor.state.position = {1.5, 5, 0};
+        actor.run(world, 4, {.wish = {6, 0, 0}});
+        EXPECT_TRUE(actor.on_ground()) << acceleration;
+        EXPECT_LT(actor.state.position.y, 1.1) << acceleration;
+    }
+}
+
 TEST(Movement, StandingOnAWalkableSlopeDoesNotCreep) {
     const World world = Scene().floor(-20, 0, -10, 10).ramp(0, 10, 40).world();
     Actor actor;

@@ -101,7 +101,7 @@ struct CharacterSettings {
     /// What the level's surfaces do; without a table all of it is firm ground.
     SurfaceRules surfaces{};
 
-    /// The longest time that is moved in one go [s, > 0]; a longer tick is done in equal parts.
+    /// The longest time that is moved in one go [s, 0.01 to 60]; a longer tick is done in equal parts.
     double longest_tick = 0.1;
 };
 

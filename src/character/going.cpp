@@ -1,4 +1,6 @@
 // On foot, through the air, through water, up a ladder: how a wish becomes a way.
+#include <algorithm>
+
 #include "character/look.hpp"
 #include "character/motion.hpp"
 #include "character/tick.hpp"
@@ -18,6 +20,16 @@ Vec conveyor_velocity(const Tick& tick, const SurfaceRule& rule) noexcept {
 
 bool dashes(const Tick& tick) noexcept {
     return tick.state.since_dash < tick.settings.dash_time;
+}
+
+// Who slides on something too steep cannot hold on to it by pressing against it.
+Vec wish_in_air(const Tick& tick) noexcept {
+    if (tick.ground.footing != Footing::steep) return tick.wish;
+    const Vec level = tick.level(tick.ground.contact_normal);
+    const double run = length(level);
+    if (!(run > 0)) return tick.wish;
+    const Vec wall = level / run;
+    return tick.wish - wall * smaller(0, dot(wall, tick.wish));
 }
 
 // Pressed against a wall and coming down, friction holds it back.
@@ -84,7 +96,8 @@ void fall(Tick& tick, double seconds) noexcept {
                      terminal, seconds);
     }
     const Vec before = tick.level(tick.velocity);
-    const Travel travel = accelerate(before, dashes(tick) ? before : tick.wish, settings.air_acceleration, seconds);
+    const Travel travel =
+        accelerate(before, dashes(tick) ? before : wish_in_air(tick), settings.air_acceleration, seconds);
     tick.glide(travel.way + tick.up * flight.rise, travel.velocity + tick.up * flight.speed);
     if (dot(tick.velocity, tick.up) <= 0) tick.state.is_jumping = 0;
     land(tick, flight.speed);
@@ -104,6 +117,8 @@ void move_freely(Tick& tick) noexcept {
 bool climb(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
     if (settings.ladder_speed <= 0 || tick.wish == Vec{} || tick.state.is_jumping != 0) return false;
+    const auto rules = settings.surfaces.all();
+    if (std::none_of(rules.begin(), rules.end(), [](const SurfaceRule& rule) { return rule.ladder; })) return false;
     // What is ladder within two skins ahead?
     const Vec ahead = tick.wish / length(tick.wish);
     Touches touches;

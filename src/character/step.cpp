@@ -86,7 +86,7 @@ bool is_valid(const CharacterSettings& settings) noexcept {
     }
     return is_within(settings.slope_limit_deg, 0, 89) && is_within(settings.step_depth, 1e-6, 1e6) &&
            is_within(settings.jump_cut, 1, 1e6) && is_within(settings.sink_speed, -plenty, plenty) &&
-           is_within(settings.longest_tick, 1e-6, 60);
+           is_within(settings.longest_tick, 0.01, 60);
 }
 
 StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
