@@ -60,7 +60,7 @@ double round_of(const World& world, std::vector<Walker> all, Mode mode, std::vec
             if (mode == with_ring || mode == ring_alone) walker.ring.push(walker.input, dt, walker.state);
             if (mode == ring_alone) continue;
             walker.state =
-                step(world, settings, walker.input, dt, walker.state, mode == with_trace ? &trace : nullptr).state;
+                step(world, settings, walker.input, dt, walker.state, {}, mode == with_trace ? &trace : nullptr).state;
         }
     }
     return (thread_seconds() - begin) / static_cast<double>(ticks * walkers);
