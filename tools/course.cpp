@@ -1,4 +1,5 @@
 // surefoot course: how does a character controller do in the scenes of the movement course?
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -79,7 +79,10 @@ ExitCode run_session(const std::string& file, const Session& session, const Sess
         text += fmt::format("A session of {} ticks, {} s: {}.\n", grouped(session.ticks.size()),
                             short_number(seconds_of(session, session.ticks.size())), describe(session.settings.volume));
         text += outcome_text(given.level.file, session, again);
-        if (step) text += "\n" + step_report(fmt::format("Tick {}", *tick), *step, replay(*step));
+        if (step) {
+            text += '\n';
+            text += step_report(fmt::format("Tick {}", *tick), *step, replay(*step));
+        }
         write_out(text);
     }
     if (step && !given.save.empty()) {

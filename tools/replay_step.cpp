@@ -97,7 +97,8 @@ std::string step_json(const std::string& file, const StepCapture& capture, const
                                    json_string(again.differs));
     bool is_first = true;
     for (const std::string& sentence : sentences_of(capture, again)) {
-        text += (is_first ? "" : ",") + json_string(sentence);
+        if (!is_first) text += ',';
+        text += json_string(sentence);
         is_first = false;
     }
     return text + fmt::format(R"(],"hash":"{:016x}","triangles":{},"library":{},"note":{}}})"
