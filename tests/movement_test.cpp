@@ -96,7 +96,7 @@ TEST(Movement, WhoPressesAgainstASlopeThatIsTooSteepSlidesDownItAllTheSame) {
         Actor actor;
         actor.settings.air_acceleration = acceleration;
         actor.state.position = {1.5, 5, 0};
-        actor.run(world, 4, {.wish = {6, 0, 0}});
+        actor.run(world, 12, {.wish = {6, 0, 0}});
         EXPECT_TRUE(actor.on_ground()) << acceleration;
         EXPECT_LT(actor.state.position.y, 1.1) << acceleration;
     }

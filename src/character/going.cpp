@@ -22,16 +22,6 @@ bool dashes(const Tick& tick) noexcept {
     return tick.state.since_dash < tick.settings.dash_time;
 }
 
-// Who slides on something too steep cannot hold on to it by pressing against it.
-Vec wish_in_air(const Tick& tick) noexcept {
-    if (tick.ground.footing != Footing::steep) return tick.wish;
-    const Vec level = tick.level(tick.ground.contact_normal);
-    const double run = length(level);
-    if (!(run > 0)) return tick.wish;
-    const Vec wall = level / run;
-    return tick.wish - wall * smaller(0, dot(wall, tick.wish));
-}
-
 // Pressed against a wall and coming down, friction holds it back.
 double slowest_fall(const Tick& tick) noexcept {
     const Vec wall = to_vec(tick.state.wall_normal);
@@ -96,8 +86,7 @@ void fall(Tick& tick, double seconds) noexcept {
                      terminal, seconds);
     }
     const Vec before = tick.level(tick.velocity);
-    const Travel travel =
-        accelerate(before, dashes(tick) ? before : wish_in_air(tick), settings.air_acceleration, seconds);
+    const Travel travel = accelerate(before, dashes(tick) ? before : tick.wish, settings.air_acceleration, seconds);
     tick.glide(travel.way + tick.up * flight.rise, travel.velocity + tick.up * flight.speed);
     if (dot(tick.velocity, tick.up) <= 0) tick.state.is_jumping = 0;
     land(tick, flight.speed);

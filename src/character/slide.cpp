@@ -19,12 +19,6 @@ constexpr double rest = 1e-9;
 // What is met within this share of the skin after the first touch is met with it.
 constexpr double together = 0.25;
 
-// Would obeying the plane lift the body by more than it wants to rise?
-bool lifts(const Vec& wish, const Vec& normal, const Vec& up) noexcept {
-    const double into = dot(normal, wish);
-    return into < 0 && dot(wish - normal * into, up) > larger(0, dot(wish, up));
-}
-
 // Longer moves than this many times the body's size are first asked of the world's own tree.
 constexpr double leap_from = 4;
 
@@ -228,11 +222,11 @@ private:
         if (rise < 0) target_ = target_ - gait_.up * rise;
     }
 
-    // What is too steep does not turn a motion towards it into one upwards: the part of the wish that goes into it is
-    // given up where obeying the plane would lift the body by more than it wants to rise.
+    // What is too steep is a wall to whatever goes into it: that part of the wish is given up, so that it is neither
+    // climbed nor held on to. What falls on it goes on down its slope.
     void never_lift(const Vec& wall, const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
         const Vec wish = target_ - centre;
-        if (!lifts(wish, normal, gait_.up)) return;
+        if (dot(wall, wish) >= 0) return;
         target_ = target_ - wall * smaller(0, dot(wall, wish));
         tell(StepAct::gave_up_rising, touch, normal, StepRule::slope_limit, dot(normal, gait_.up),
              gait_.least_ground_up);
@@ -266,7 +260,7 @@ private:
 Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept {
     for (const Vec& normal : planes.normals()) {
         const double rises = dot(normal, gait.up);
-        if (rises <= 0 || rises >= gait.least_ground_up || !lifts(velocity, normal, gait.up)) continue;
+        if (rises <= 0 || rises >= gait.least_ground_up) continue;
         const Vec level = normal - gait.up * rises;
         const Vec wall = level / length(level);
         velocity = velocity - wall * smaller(0, dot(wall, velocity));
