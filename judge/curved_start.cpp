@@ -145,9 +145,9 @@ std::vector<FlatNormal> flat_normals(const Exactly& at) {
 }
 
 /// The slope along the flat normal that c is, or else along the nearest of those that it is one of but for rounding.
-/// What is perpendicular to an edge is the one across it, turned up, or the face's: where an edge along a rim's tangent
-/// has its corner on the rim, the one away from the axis is by an ulp of zero as near, and may have a slope of the
-/// other sign.
+/// What is perpendicular to an edge is the one across it, turned up, or the face's or the cap's: where an edge along a
+/// rim's tangent has its corner on the rim, the one away from the axis is by an ulp of zero as near, and may have a
+/// slope of the other sign.
 int slope_along_flat(const std::vector<FlatNormal>& flats, const CurvedNormal<Big>& c, int otherwise) {
     Big nearest(same_normal);
     bool is_own = false;
@@ -156,8 +156,8 @@ int slope_along_flat(const std::vector<FlatNormal>& flats, const CurvedNormal<Bi
         if (!(apart < Big(same_normal))) continue;
         if (flat.origin == c.origin) return flat.slope;
         const bool is_perpendicular =
-            c.origin.part == Part::at_edge &&
-            (flat.origin.part == Part::face || flat.origin == Origin{Part::across_edge, c.origin.index});
+            c.origin.part == Part::at_edge && (flat.origin.part == Part::face || flat.origin.part == Part::cap ||
+                                               flat.origin == Origin{Part::across_edge, c.origin.index});
         if (is_own && !is_perpendicular) continue;
         if (is_own == is_perpendicular && !(apart < nearest)) continue;
         is_own = is_perpendicular;

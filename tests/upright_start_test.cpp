@@ -2,52 +2,13 @@
 // found them; each is named after what is special about it.
 #include <gtest/gtest.h>
 
-#include <surefoot/sweep.hpp>
-
-#include "judge/judge.hpp"
-#include "prove/bridge.hpp"
+#include "upright_things.hpp"
 
 namespace {
 
 using judge::Kind;
 using judge::Query;
 using judge::Verdict;
-
-struct Asked {
-    judge::Answer answer;
-    Verdict verdict;
-};
-
-Asked ask(const Query& query) {
-    const judge::Answer answer = surefoot::tools::ask(query);
-    return {answer, judge::judge(query, answer).verdict};
-}
-
-/// The opposite claim must be refused, or the judge would agree with anything.
-Verdict verdict_of_the_opposite(const Query& query, judge::Answer answer) {
-    answer.hit = !answer.hit;
-    answer.t = 0;
-    answer.normal = {0, 1, 0};
-    answer.point = query.from;
-    return judge::judge(query, answer).verdict;
-}
-
-Query query_of(Kind kind, double radius, double height, const judge::Vec& from, const judge::Vec& to) {
-    Query query;
-    query.kind = kind;
-    query.size = {radius, height, 0};
-    query.from = from;
-    query.to = to;
-    return query;
-}
-
-void turn(Query& query, double w, double x, double y, double z) {
-    query.qw = w, query.qx = x, query.qy = y, query.qz = z;
-}
-
-void corners(Query& query, const judge::Vec& a, const judge::Vec& b, const judge::Vec& c) {
-    query.a = a, query.b = b, query.c = c;
-}
 
 TEST(UprightStart, a_slope_that_is_zero_to_every_digit_is_no_approach) {
     Query query = query_of(Kind::cone, 400, 480, {2097151.998626709, 1048576.0016937256, -2097152.000793457},
@@ -318,44 +279,6 @@ TEST(UprightStart, the_least_motion_is_held_by_a_side_that_it_closes_on) {
     EXPECT_GT(asked.answer.normal.z, 0);
     EXPECT_EQ(asked.verdict, Verdict::right);
     EXPECT_EQ(verdict_of_the_opposite(query, asked.answer), Verdict::miss);
-}
-
-TEST(UprightStart, a_face_that_stands_an_ulp_of_zero_off_upright_has_its_own_slope_and_not_that_of_its_edges) {
-    // The normals of the face and of the side across each edge are an ulp of zero apart, and all perpendicular to
-    // edges.
-    Query first = query_of(Kind::cylinder, 10, 8, {74, 46, 2}, {-94, -80, -12});
-    turn(first, 1, 1, 1, 1);
-    corners(first, {-4, 5e-324, -138}, {380, 288, 246}, {-388, -288, -138});
-    Query second = query_of(Kind::cylinder, 1.5625, 1.5625, {0.1875, 0.0625, 0.4375}, {-0.1875, -0.3125, -0.0625});
-    turn(second, 1, -2, 0, 0);
-    corners(second, {-0.25, -1.3125, -4}, {-0.5, 0.1875, -2}, {0.75, 1.6875, -5e-324});
-    Query inside = query_of(Kind::cylinder, 80, 112, {76, -13, 55}, {60, -17, 67});
-    corners(inside, {2064, 384, -1536}, {-2032, -2176, 1536}, {16, 1408, 5e-324});
-    for (const Query& query : {first, second, inside}) {
-        const Asked asked = ask(query);
-        EXPECT_TRUE(asked.answer.hit);
-        EXPECT_EQ(asked.verdict, Verdict::right);
-    }
-    // Deeper by an ulp of zero, and so it has to be held.
-    EXPECT_EQ(judge::judge(inside, judge::Answer{}).verdict, Verdict::miss);
-}
-
-TEST(UprightStart, a_rim_that_nears_a_corner_by_an_ulp_of_zero_before_it_passes_by_is_right_either_way) {
-    // Its normal, (0, 4, 3) in the shape's frame, is that of no part; the slope is an ulp of zero.
-    Query query = query_of(Kind::cylinder, 50, 80, {-393216, 131072, -5e-324}, {-393216.015625, 131072, 0});
-    turn(query, 1, -2, 0, 0);
-    corners(query, {-393216, 131080, 94}, {-393220, 131002, 440}, {-393218, 130998, 268});
-    const Asked asked = ask(query);
-    EXPECT_EQ(asked.verdict, Verdict::right);
-    judge::Answer held{true, 0, {0, -0.6, -0.8}, {-393216, 131080, 94}};
-    held.feature = judge::Feature::vertex;
-    EXPECT_EQ(judge::judge(query, held).verdict, Verdict::right);
-    EXPECT_EQ(judge::judge(query, judge::Answer{}).verdict, Verdict::right);
-    // Leaving by as little, or sliding past, it may not be held.
-    for (const double z : {-1e-323, -5e-324}) {
-        query.to.z = z;
-        EXPECT_EQ(judge::judge(query, held).verdict, Verdict::false_hit);
-    }
 }
 
 /// Standing shapes whose lowest points are `up` below the reference point.
