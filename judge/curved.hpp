@@ -10,10 +10,21 @@
 
 namespace judge {
 
+/// What a normal was proposed as. Normals of two parts may be an ulp of zero apart, and the slopes along them may have
+/// opposite signs: it matters which one it is.
+struct Origin {
+    enum class Part { other, cap, face, across_edge, away_from_axis, at_edge };  // at_edge: perpendicular to it
+    Part part = Part::other;
+    int index = 0;  ///< of the edge, or of the corner
+
+    friend bool operator==(const Origin&, const Origin&) = default;
+};
+
 template <class F>
 struct CurvedNormal {
     V3<F> n;   ///< of unit length
     F gap{0};  ///< n.w - h(n): a lower bound on the signed distance
+    Origin origin{};
 };
 
 template <class F>
@@ -47,20 +58,37 @@ public:
     const std::vector<CurvedNormal<F>>& run() {
         for (const V3<F>& w : corners_) rough_corners_.push_back(to_doubles(w));
         const F zero(0);
+        from_ = {Part::face};
         for (const V3<F>& n : faces_) propose_both(n);
+        from_ = {Part::cap};
         propose_both({zero, F(1), zero});
+        from_ = {};
         propose_both(toward_);
         propose_side(toward_.x, toward_.z);
         for (const V3<F>& w : corners_) {
+            from_ = {kind_ == Kind::cylinder ? Part::away_from_axis : Part::other, index_of(w, corners_)};
             propose_side(w.x, w.z);
+            from_ = {};
             if (kind_ == Kind::cone) propose_both(w);
             propose_rims(w);
         }
-        for (const Edge& e : edges_) propose_edge(e);
+        for (const Edge& e : edges_) {
+            from_ = {Part::across_edge, index_of(e, edges_)};
+            propose_both({-e.along.z, zero, e.along.x});  // against a line of the mantle of a cylinder
+            from_.part = Part::at_edge;
+            propose_edge(e);
+        }
         return found_;
     }
 
 private:
+    using Part = Origin::Part;
+
+    template <class T>
+    static int index_of(const T& one, const std::vector<T>& all) {
+        return static_cast<int>(&one - all.data());
+    }
+
     [[nodiscard]] F support(const V3<F>& n) const {
         const F flat = size_.x * root_of(n.x * n.x + n.z * n.z);
         if (kind_ == Kind::cylinder) return size_.y * magnitude(n.y) + flat;
@@ -84,7 +112,7 @@ private:
         const F size = length(n);
         if (!(size > F(0))) return;
         const V3<F> unit = scaled(n, F(1) / size);
-        found_.push_back({unit, gap(unit)});
+        found_.push_back({unit, gap(unit), from_});
     }
     void propose_both(const V3<F>& n) {
         propose(n);
@@ -112,7 +140,10 @@ private:
         if (!(flat > F(0))) return;
         for (int rim = 0; rim < rims(); ++rim)
             propose_both({w.x - size_.x * w.x / flat, w.y - rim_height(rim), w.z - size_.x * w.z / flat});
-        for (const Edge& e : edges_) propose_both(cross(e.along, {-w.z, F(0), w.x}));
+        for (const Edge& e : edges_) {
+            from_ = {Part::at_edge, index_of(e, edges_)};
+            propose_both(cross(e.along, {-w.z, F(0), w.x}));
+        }
     }
 
     void propose_edge(const Edge& edge) {
@@ -120,7 +151,6 @@ private:
         const V3<F>& e = edge.along;
         const F ee = dot(e, e);
         if (!(ee > zero)) return;
-        propose_both({-e.z, zero, e.x});  // against a line of the mantle of a cylinder
         propose_both(scaled(toward_, ee) - scaled(e, dot(toward_, e)));
         if (kind_ == Kind::cone) {
             propose_both(scaled(edge.from, ee) - scaled(e, dot(edge.from, e)));  // against the apex
@@ -268,6 +298,7 @@ private:
     std::vector<CurvedNormal<F>> found_;
     std::vector<V3<double>> rough_corners_;
     double least_gap_ = -HUGE_VAL;
+    Origin from_;
 };
 
 }  // namespace judge

@@ -1,5 +1,7 @@
 // Cylinder and cone: every normal that can be active is proposed and measured, and those that attain the largest gap
 // decide.
+#include <optional>
+
 #include "curved.hpp"
 #include "start.hpp"
 
@@ -105,12 +107,13 @@ constexpr Band deep_band{0x1p-650, 0x1p-640, true};
 /// Two normals closer than this are one. [rad]
 constexpr double same_normal = 0x1p-180;
 
+using Part = Origin::Part;
+
 /// A normal made of whole products: the slope along it is told to the last bit, so that an ulp of zero counts there.
 struct FlatNormal {
     V3<Big> n;  ///< of unit length
     int slope;
-    bool is_across = false;  ///< level, across this edge
-    V3<Big> edge{};          ///< about of unit length
+    Origin origin;
 };
 
 /// Of caps, face, a side against an edge that it stands along, and a side or rim against a corner or an upright edge.
@@ -124,35 +127,40 @@ std::vector<FlatNormal> flat_normals(const Exactly& at) {
         const V3<Big> scaled_n = scaled(n, Big(1) / largest);
         return scaled(scaled_n, Big(1) / length(scaled_n));
     };
-    const auto add_both = [&](const V3<Dyadic>& normal, const V3<Dyadic>* edge = nullptr) {
+    const auto add_both = [&](const V3<Dyadic>& normal, const Origin& origin) {
         const V3<Big> n = unit(normal);
         if (!(length(n) > Big(0))) return;
         const int slope = sign_of(dot(normal, at.d));
-        const V3<Big> along = edge != nullptr ? unit(*edge) : V3<Big>{};
-        flats.push_back({n, slope, edge != nullptr, along});
-        flats.push_back({-n, -slope, edge != nullptr, along});
+        flats.push_back({n, slope, origin});
+        flats.push_back({-n, -slope, origin});
     };
-    add_both({zero, Dyadic(1), zero});
-    add_both(cross(at.w[1] - at.w[0], at.w[2] - at.w[0]));
+    add_both({zero, Dyadic(1), zero}, {Part::cap});
+    add_both(cross(at.w[1] - at.w[0], at.w[2] - at.w[0]), {Part::face});
     for (int i = 0; i < 3; ++i) {
         const V3<Dyadic> edge = at.w[(i + 1) % 3] - at.w[i];
-        add_both({-edge.z, zero, edge.x}, &edge);
-        add_both({at.w[i].x, zero, at.w[i].z});
+        add_both({-edge.z, zero, edge.x}, {Part::across_edge, i});
+        add_both({at.w[i].x, zero, at.w[i].z}, {Part::away_from_axis, i});
     }
     return flats;
 }
 
-/// The slope along the flat normal that is the nearest to n, of those that n is one of but for rounding. What is
-/// perpendicular to an edge is the one across it, turned up: where an edge along a rim's tangent has its corner on the
-/// rim, the one away from the axis is by an ulp of zero as near, and may have a slope of the other sign.
-int slope_along_flat(const std::vector<FlatNormal>& flats, const V3<Big>& n, int otherwise) {
+/// The slope along the flat normal that c is, or else along the nearest of those that it is one of but for rounding.
+/// What is perpendicular to an edge is the one across it, turned up, or the face's or the cap's: where an edge along a
+/// rim's tangent has its corner on the rim, the one away from the axis is by an ulp of zero as near, and may have a
+/// slope of the other sign.
+int slope_along_flat(const std::vector<FlatNormal>& flats, const CurvedNormal<Big>& c, int otherwise) {
     Big nearest(same_normal);
+    bool is_own = false;
     for (const FlatNormal& flat : flats) {
-        const Big apart = length(n - flat.n);
-        if (flat.is_across && apart < Big(same_normal) &&
-            magnitude(dot(n, flat.edge)) < Big(deep_band.zero) * Big(deep_band.zero))
-            return flat.slope;
-        if (!(apart < nearest)) continue;
+        const Big apart = length(c.n - flat.n);
+        if (!(apart < Big(same_normal))) continue;
+        if (flat.origin == c.origin) return flat.slope;
+        const bool is_perpendicular =
+            c.origin.part == Part::at_edge && (flat.origin.part == Part::face || flat.origin.part == Part::cap ||
+                                               flat.origin == Origin{Part::across_edge, c.origin.index});
+        if (is_own && !is_perpendicular) continue;
+        if (is_own == is_perpendicular && !(apart < nearest)) continue;
+        is_own = is_perpendicular;
         nearest = apart;
         otherwise = flat.slope;
     }
@@ -179,7 +187,7 @@ StartSigns decide(Kind kind, const Exactly& exactly, const Placed<F>& at, const 
         if (behind == 1) continue;
         int here = slope.sign(dot(c.n, at.d), speed);
         if constexpr (std::is_same_v<F, Big>) {
-            if (here == 0 || here == unsure) here = slope_along_flat(flats, c.n, here);
+            if (here == 0 || here == unsure) here = slope_along_flat(flats, c, here);
         }
         if (here == unsure) {
             doubtful = true;
@@ -229,12 +237,52 @@ StartSigns curved_start(const Query& query, double t) {
                   quick.g - 1e-9 * largest_in_doubles(query, at));
 }
 
+namespace {
+
+/// Followed in wide floats. Long doubles see which normals may be the nearest; only those are asked.
+struct Followed {
+    Kind kind;
+    Placed<Big> at;
+    Placed<long double> rough;
+    double slack;
+
+    Followed(const Query& query, const Exactly& exactly) : kind(query.kind), at(exactly), rough(exactly) {
+        slack = 1e-9 * (to_double(rough.largest) + to_double(length(rough.d)));
+    }
+
+    /// Along which the gap is the largest once the shape has moved by t d, if any was found.
+    [[nodiscard]] std::optional<CurvedNormal<Big>> nearest(const Big& t) const {
+        double least_gap = -HUGE_VAL;
+        for (const auto& c : rough.normals(kind, to_double(t), -HUGE_VAL))
+            least_gap = std::max(least_gap, to_double(c.gap) - slack);
+        std::optional<CurvedNormal<Big>> best;
+        for (const auto& c : at.normals(kind, t, least_gap))
+            if (!best || c.gap > best->gap) best = c;
+        return best;
+    }
+};
+
+}  // namespace
+
+bool curved_comes_closer(const Query& query) {
+    if (&depth_band(query) != &deep_band) return false;  // no slope is that slight
+    const Followed motion(query, Exactly(query, 0));
+    const auto start = motion.nearest(Big(0));
+    if (!start || !(dot(start->n, motion.at.d) < Big(0))) return false;
+    // Normals good to 2^-1250 give gaps that are good to 2^-2500, as a turn costs its square.
+    const Big least = motion.at.largest * Big(0x1p-1000) * Big(0x1p-1000) * Big(0x1p-300);
+    // A slope of an ulp of zero may be lost to curvature after as little of the motion.
+    Big t(1);
+    for (int tries = 0; tries < 35; ++tries, t = t * Big(0x1p-32)) {
+        const auto later = motion.nearest(t);
+        if (later && start->gap - later->gap > least) return true;
+    }
+    return false;
+}
+
 Pass curved_pass(const Query& query) {
-    const Exactly exactly(query, 0);
-    const Placed<Big> at(exactly);
-    const Placed<long double> rough(exactly);
-    // Long doubles see which normals may be the nearest; only those are followed in wide floats.
-    const double slack = 1e-9 * (to_double(rough.largest) + to_double(length(rough.d)));
+    const Followed motion(query, Exactly(query, 0));
+    const Placed<Big>& at = motion.at;
     const Band& depth = depth_band(query);
     const Big speed = length(at.d), flat = Big(wide_band.zero) * speed;
     const Big touching = depth.limit<Big>(depth.zero) * at.largest;
@@ -246,14 +294,8 @@ Pass curved_pass(const Query& query) {
     Big low(0), high(1), t(0);
     Pass pass;
     for (int round = 0; round < 250; ++round) {
-        double least_gap = -HUGE_VAL;
-        for (const auto& c : rough.normals(query.kind, to_double(t), -HUGE_VAL))
-            least_gap = std::max(least_gap, to_double(c.gap) - slack);
-        const auto found = at.normals(query.kind, t, least_gap);
-        if (found.empty()) return pass;
-        const auto* best = &found.front();
-        for (const auto& c : found)
-            if (c.gap > best->gap) best = &c;
+        const auto best = motion.nearest(t);
+        if (!best) return pass;
         if (best->gap <= touching) {
             pass.meets = 1;
             return pass;

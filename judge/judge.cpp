@@ -124,7 +124,7 @@ private:
         const StartSigns end = start_signs(query_, 1);
         if (end.depth == 1 && (end.slope == 0 || end.slope == -1))
             return {Verdict::right, 0, "apart at the end, and approaching until then"};
-        if (query_.kind == Kind::cylinder || query_.kind == Kind::cone) {
+        if (is_curved()) {
             const Pass pass = curved_pass(query_);
             if (pass.meets == 1) return {Verdict::miss, 0, "the shape reaches the triangle by less than a hair"};
             for (int i = 0; i < pass.count; ++i)
@@ -135,6 +135,9 @@ private:
             return {Verdict::miss, 0, "the shape reaches the triangle"};
         return {Verdict::unproved, 0, "no hit, and no plane that separates was found"};
     }
+
+    [[nodiscard]] bool is_curved() const { return query_.kind == Kind::cylinder || query_.kind == Kind::cone; }
+    [[nodiscard]] bool comes_closer() const { return is_curved() && curved_comes_closer(query_); }
 
     bool is_exact_miss() {
         return examination_.find_quickly(nullptr, 1, true) || examination_.find_thoroughly(1, true);
@@ -156,6 +159,7 @@ private:
         const StartSigns signs = start_signs(query_, 0);
         start_gap_ = signs.g;
         if (signs.slope == -1) return {Verdict::right, gap, "in touch and going deeper"};
+        if (comes_closer()) return {Verdict::right, gap, "nearer later than at the start, if by an ulp of zero"};
         if (signs.slope == unsure) return {Verdict::unproved, gap, "the slope at the start is not decided"};
         return {Verdict::false_hit, gap, "in touch at the start, but not going deeper"};
     }
@@ -175,7 +179,8 @@ private:
         // A false hit within the bound is allowed, but only if the shape approaches. Clear cases need no proof; along
         // a grazing motion t may lie a hair beyond the closest approach, so what counts is the approach from the start.
         if (along_normal() < -1e-6) return {Verdict::right, gap, "a hit"};
-        if (start_signs(query_, 0).slope == -1) return {Verdict::right, gap, "a hit, approaching slowly"};
+        if (start_signs(query_, 0).slope == -1 || comes_closer())
+            return {Verdict::right, gap, "a hit, approaching slowly"};
         if (is_exact_miss())
             return {Verdict::false_hit, gap, "it passes near the triangle without ever approaching it"};
         return {Verdict::right, gap, "a grazing hit"};

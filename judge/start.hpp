@@ -24,6 +24,11 @@ struct StartSigns {
 /// Where a coordinate is next to zero the two are 2^-1300 and 2^-1280 for depths.
 [[nodiscard]] StartSigns curved_start(const Query& query, double t);
 
+/// For cylinder and cone: is it at some time nearer to the triangle, or deeper in it, than at the start? Then it
+/// approaches, by however little, as g is convex. Asked only where a coordinate is next to zero: there a slope may be
+/// that slight, and along a rim's normal `curved_start` takes it for zero.
+[[nodiscard]] bool curved_comes_closer(const Query& query);
+
 /// Does a cylinder or cone that starts apart ever meet the triangle?
 struct Pass {
     int meets = unsure;    ///< 1 or -1

@@ -2,7 +2,7 @@
 surefoot_test(judge_test judge_test.cpp)
 surefoot_test(metamorphic_test metamorphic_test.cpp ${PROJECT_SOURCE_DIR}/tools/prove/lines.cpp)
 surefoot_test(proof_test proof_test.cpp ${PROJECT_SOURCE_DIR}/tools/prove/lines.cpp)
-surefoot_test(upright_start_test upright_start_test.cpp)
+surefoot_test(upright_start_test upright_start_test.cpp upright_zero_test.cpp)
 surefoot_test(world_judged_test world_judged_test.cpp)
 foreach(name judge_test metamorphic_test proof_test upright_start_test world_judged_test)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools)

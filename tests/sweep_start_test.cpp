@@ -163,5 +163,23 @@ TEST(SweepStart, the_point_on_an_edge_that_grazes_a_flat_cones_rim_is_on_the_rim
     }
 }
 
+TEST(SweepStart, a_rim_that_grazes_an_edge_just_beside_its_corner_names_the_edge_and_not_the_corner) {
+    // On the edge and on the face beside it lie points that are as near but for rounding, 1.5e-8 m from the corner.
+    Question question{Cylinder{0.78125, 0.15625},
+                      dquat(0, 1, 2, 0),
+                      {{-0.76171875, 0.767578125, -1}, {-0.734375, 0.7265625, -1}},
+                      {{-0.875, 0.65625, -0.21875}, {1.125, 0.65625, 5.78125}, {5.125, 0.65625, -0.21875}}};
+    const auto named_edge = [&] {
+        const auto hit = question.answer();
+        ASSERT_TRUE(hit.has_value());
+        EXPECT_EQ(hit->feature, Feature::edge);
+        EXPECT_EQ(hit->point.z, -0.21875);
+        EXPECT_GT(hit->point.x, -0.875);
+    };
+    named_edge();
+    question.triangle = {question.triangle.a, question.triangle.c, {1.125, 0.65625, 5.781249999999999}};
+    named_edge();
+}
+
 }  // namespace
 }  // namespace surefoot

@@ -2,52 +2,13 @@
 // found them; each is named after what is special about it.
 #include <gtest/gtest.h>
 
-#include <surefoot/sweep.hpp>
-
-#include "judge/judge.hpp"
-#include "prove/bridge.hpp"
+#include "upright_things.hpp"
 
 namespace {
 
 using judge::Kind;
 using judge::Query;
 using judge::Verdict;
-
-struct Asked {
-    judge::Answer answer;
-    Verdict verdict;
-};
-
-Asked ask(const Query& query) {
-    const judge::Answer answer = surefoot::tools::ask(query);
-    return {answer, judge::judge(query, answer).verdict};
-}
-
-/// The opposite claim must be refused, or the judge would agree with anything.
-Verdict verdict_of_the_opposite(const Query& query, judge::Answer answer) {
-    answer.hit = !answer.hit;
-    answer.t = 0;
-    answer.normal = {0, 1, 0};
-    answer.point = query.from;
-    return judge::judge(query, answer).verdict;
-}
-
-Query query_of(Kind kind, double radius, double height, const judge::Vec& from, const judge::Vec& to) {
-    Query query;
-    query.kind = kind;
-    query.size = {radius, height, 0};
-    query.from = from;
-    query.to = to;
-    return query;
-}
-
-void turn(Query& query, double w, double x, double y, double z) {
-    query.qw = w, query.qx = x, query.qy = y, query.qz = z;
-}
-
-void corners(Query& query, const judge::Vec& a, const judge::Vec& b, const judge::Vec& c) {
-    query.a = a, query.b = b, query.c = c;
-}
 
 TEST(UprightStart, a_slope_that_is_zero_to_every_digit_is_no_approach) {
     Query query = query_of(Kind::cone, 400, 480, {2097151.998626709, 1048576.0016937256, -2097152.000793457},

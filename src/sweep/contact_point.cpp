@@ -64,6 +64,10 @@ Contact contact_of(const SweepQuery& query, const Planes& planes, const Plane& p
         if (part == 7 && outside_by(query.shape, point) <= margin) return;
         const Vec other = point_on_part(query.shape, at_touch, part, slack);
         if (outside_by(query.shape, other) >= outside_by(query.shape, point)) return;
+        // A margin outside is a little more by rounding. That is no reason to leave the edge for a point that is not on
+        // the part that the plane touches.
+        const bool is_on_edge = part == 7 && contact.is_on_part && outside_by(query.shape, point) <= 2 * margin;
+        if (is_on_edge && length(other - nearest_on_part(at_touch, touched, other)) > allowed) return;
         point = other;
         contact.is_on_part = !overlaps && part != 7;
         contact.corners = contact.is_on_part ? part : touched;

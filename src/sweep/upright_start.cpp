@@ -86,6 +86,12 @@ public:
             if (!(plane.approach < -flat)) closing_ &= ~bit_of(plane.slot);
             if (!(plane.approach > flat)) opening_ &= ~bit_of(plane.slot);
         }
+        // A triangle as thin as an ulp of zero has a face all the same.
+        if (!has_face()) {
+            active_ |= face_slots;
+            closing_ &= ~face_slots;
+            opening_ &= ~face_slots;
+        }
         // Nor may such a motion, or a corner by an ulp of zero off the axis, have left a direction for a side.
         const bool has_lost = speed == HUGE_VAL || is_wide(motion, ordered);
         for (int i = 0; i < 3 && has_lost; ++i) {
@@ -122,6 +128,15 @@ public:
     [[nodiscard]] const RimRoots& roots() const noexcept { return start_.roots(); }
 
 private:
+    static constexpr std::uint32_t face_slots = bit_of(UprightSlot::face) | bit_of(UprightSlot::face + 1);
+
+    [[nodiscard]] bool has_face() const noexcept {
+        for (int i = 0; i < start_.count(); ++i) {
+            if ((face_slots & bit_of(start_.plane(i).slot)) != 0) return true;
+        }
+        return false;
+    }
+
     // On a rim the gap is at its largest, so that a turned normal hardly matters; elsewhere it counts in full.
     [[nodiscard]] double gap_doubt(const UprightStart<double>::Plane& plane) const noexcept {
         return hair_ + (is_rim(plane.slot) ? 0x1p-20 : plane.doubt) * extent_;
