@@ -34,9 +34,9 @@ struct StepCapture {
     std::string note;  ///< yours: where it happened, what you expected [UTF-8]
 };
 
-/// Makes the step, as without neighbours (they are not kept), and keeps what it asked the world's bodies for. The state is not changed; `after` is what `step`
-/// would return.
-/// Guarantees: `replay` of the capture gives the very bits that `step` gave.
+/// Makes the step, as without neighbours (they are not kept), and keeps what it asked the world's bodies for. The state
+/// is not changed; `after` is what `step` would return. Guarantees: `replay` of the capture gives the very bits that
+/// `step` gave.
 [[nodiscard]] StepCapture capture_step(const World& world, const CharacterSettings& settings,
                                        const CharacterInput& input, double dt, const CharacterState& state);
 
