@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <set>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace {
 
 /// A floor of n x n squares that nobody has cooked before.
 std::string fresh_floor(int n) {
-    const std::string path = (std::filesystem::path(testing::TempDir()) / "surefoot-fresh-floor.obj").string();
+    // Tests run beside each other: each process has a file of its own.
+    const std::string name = "surefoot-fresh-floor-" + std::to_string(::getpid()) + ".obj";
+    const std::string path = (std::filesystem::path(testing::TempDir()) / name).string();
     std::ofstream file(path);
     file << "# " << std::chrono::system_clock::now().time_since_epoch().count() << "\n";
     for (int z = 0; z <= n; ++z)
