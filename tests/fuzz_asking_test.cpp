@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
+#include <unistd.h>
 
 #include "fuzz/bytes.hpp"
 
@@ -40,7 +41,7 @@ protected:
         return moment;
     }
 
-    fs::path folder_ = fs::path(testing::TempDir()) / "surefoot-fuzz-asking";
+    fs::path folder_ = fs::path(testing::TempDir()) / ("surefoot-fuzz-asking-" + std::to_string(::getpid()));
 };
 
 const auto asked = [] { return capture_sweep(ground, ball, fall); };

@@ -1,6 +1,7 @@
 // A .pk3 with several maps: the user is asked which.
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "playground/app.hpp"
 #include "quake3_map.hpp"
@@ -19,7 +20,7 @@ std::string box_map(float size) {
 }
 
 std::string packed(const std::string& name, const test::Files& files) {
-    const fs::path folder = fs::path(testing::TempDir()) / "surefoot-packed";
+    const fs::path folder = fs::path(testing::TempDir()) / ("surefoot-packed-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     fs::remove(folder / name);
     return test::zipped((folder / name).string(), files);
