@@ -1,10 +1,10 @@
 // What a fuzz target leaves behind when something goes wrong.
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
-#include <unistd.h>
 
 #include "fuzz/bytes.hpp"
 
@@ -41,7 +41,14 @@ protected:
         return moment;
     }
 
-    fs::path folder_ = fs::path(testing::TempDir()) / ("surefoot-fuzz-asking-" + std::to_string(::getpid()));
+    // Tests run beside each other, of several builds too. A death test runs in a process of its own and looks in the
+    // same folder, so the name goes by the program and the test.
+    static std::string name_of_folder() {
+        const std::size_t program = std::hash<std::string>{}(fs::read_symlink("/proc/self/exe").string());
+        return "surefoot-" + std::to_string(program) + testing::UnitTest::GetInstance()->current_test_info()->name();
+    }
+
+    fs::path folder_ = fs::path(testing::TempDir()) / name_of_folder();
 };
 
 const auto asked = [] { return capture_sweep(ground, ball, fall); };
