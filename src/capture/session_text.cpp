@@ -16,12 +16,8 @@ constexpr std::size_t most_ticks = std::size_t{1} << 20U;
 constexpr std::size_t most_poses = std::size_t{1} << 20U;
 
 void write_body_pose(Writer& w, const BodyPose& pose) {
-    w.word("{\"body\": ");
-    w.number(pose.body);
-    w.word(", \"start\": ");
-    write_pose(w, pose.start);
-    w.word(", \"end\": ");
-    write_pose(w, pose.end);
+    w.word("{");
+    write_poses(w, pose.body, pose.start, pose.end);
     w.word("}");
 }
 

@@ -86,13 +86,18 @@ void write_pose(Writer& w, const Pose& pose) {
     w.word("}");
 }
 
-void write_body(Writer& w, const CapturedBody& body) {
-    w.word("{\"body\": ");
-    w.number(body.body);
+void write_poses(Writer& w, std::uint32_t body, const Pose& start, const Pose& end) {
+    w.word("\"body\": ");
+    w.number(body);
     w.word(", \"start\": ");
-    write_pose(w, body.start);
+    write_pose(w, start);
     w.word(", \"end\": ");
-    write_pose(w, body.end);
+    write_pose(w, end);
+}
+
+void write_body(Writer& w, const CapturedBody& body) {
+    w.word("{");
+    write_poses(w, body.body, body.start, body.end);
     w.word(", \"min\": ");
     w.list(body.bounds.min);
     w.word(", \"max\": ");

@@ -46,6 +46,8 @@ void write_volume(Writer& w, const Volume& volume, std::string_view between);
 void write_body(Writer& w, const CapturedBody& body);
 void write_triangle(Writer& w, const CapturedTriangle& one);
 void write_pose(Writer& w, const Pose& pose);
+/// Which body, and where it goes in a tick: the fields, without the braces around them.
+void write_poses(Writer& w, std::uint32_t body, const Pose& start, const Pose& end);
 
 /// The members that say what the file is and what wrote it, and the note.
 void write_origin(Writer& w, std::string_view kind, std::uint32_t form, const CaptureOrigin& origin,
