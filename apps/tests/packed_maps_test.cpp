@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "playground/app.hpp"
 #include "quake3_map.hpp"
+#include "small_app.hpp"
 #include "view/widgets.hpp"
 #include "zipped.hpp"
 
@@ -28,18 +28,6 @@ std::string packed(const std::string& name, const test::Files& files) {
 
 std::string two_maps() {
     return packed("two.pk3", {{"maps/attic.bsp", box_map(32)}, {"maps/cellar.bsp", box_map(320)}});
-}
-
-std::unique_ptr<App> open(const std::string& room, const std::string& level) {
-    Options options;
-    options.headless = true;
-    options.room = room;
-    options.level = level;
-    options.size = view::ivec2(640, 400);
-    options.frames = 100000;
-    auto app = App::open(options);
-    EXPECT_TRUE(app) << app.error().text;
-    return app ? std::move(*app) : nullptr;
 }
 
 void play(App& app, const std::string& script) {

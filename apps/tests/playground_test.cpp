@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-#include "playground/app.hpp"
 #include "playground/walk/fetcher.hpp"
+#include "small_app.hpp"
 #include "view/gl.hpp"
 #include "view/widgets.hpp"
 
@@ -14,19 +14,6 @@ namespace surefoot::playground {
 namespace {
 
 const std::string ground = SUREFOOT_LEVELS_DIR "/training-ground.glb";
-
-std::unique_ptr<App> open(const std::string& room, const std::string& level = {}, const std::string& sheet = {}) {
-    Options options;
-    options.headless = true;
-    options.room = room;
-    options.level = level;
-    options.contact_sheet = sheet;
-    options.size = view::ivec2(640, 400);
-    options.frames = 100000;
-    auto app = App::open(options);
-    EXPECT_TRUE(app) << app.error().text;
-    return app ? std::move(*app) : nullptr;
-}
 
 void play(App& app, const std::string& script) {
     app.play(*view::parse_script(script, "test"));
