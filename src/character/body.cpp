@@ -1,6 +1,5 @@
 #include "character/body.hpp"
 
-#include "frame.hpp"
 #include "overloaded.hpp"
 #include "quat.hpp"
 #include "sweep/query.hpp"
@@ -21,6 +20,25 @@ Quat turn_to(const Vec& up) noexcept {
 
 double reach_along(const Volume& volume, const Vec& direction) noexcept {
     return reach_against(volume.shape, -Frame(volume.orientation).to_local(direction));
+}
+
+Box3 reach_box(const Volume& volume) noexcept {
+    const Frame frame(volume.orientation);
+    const auto reach = [&](const Vec& direction) noexcept {
+        return reach_against(volume.shape, -frame.to_local(direction));
+    };
+    return {{-reach({-1, 0, 0}), -reach({0, -1, 0}), -reach({0, 0, -1})},
+            {reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})}};
+}
+
+Across across(const Vec& up) noexcept {
+    const Vec one = unit(cross(up, absolute(up.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 0, 1}));
+    return {one, cross(up, one)};
+}
+
+Box3 Body::around(const Vec& from, const Vec& motion, double margin) const noexcept {
+    const Vec wide = Vec{1, 1, 1} * margin;
+    return swept_box({extent.min - wide, extent.max + wide}, {to_dvec3(from), to_dvec3(from + motion)});
 }
 
 double smallest_of(const Shape& shape) noexcept {
@@ -50,14 +68,10 @@ Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;
     body.frame = Frame(body.volume.orientation);
-    const auto reach = [&](const Vec& direction) noexcept { return reach_along(body.kept_off, direction); };
-    body.above = Vec{reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})} + body.shift;
-    body.below = Vec{-reach({-1, 0, 0}), -reach({0, -1, 0}), -reach({0, 0, -1})} + body.shift;
-    const Vec aside = absolute(up.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 0, 1};
-    Vec across = cross(up, aside);
-    across = across / length(across);
-    const Vec other = cross(up, across);
-    body.half_width = larger(larger(reach_along(body.volume, across), reach_along(body.volume, -across)),
+    const Box3 reach = reach_box(body.kept_off);
+    body.extent = {reach.min + body.shift, reach.max + body.shift};
+    const auto [one, other] = across(up);
+    body.half_width = larger(larger(reach_along(body.volume, one), reach_along(body.volume, -one)),
                              larger(reach_along(body.volume, other), reach_along(body.volume, -other)));
     body.foot = reach_along(body.kept_off, -up) - dot(body.shift, up);
     return body;

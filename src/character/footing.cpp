@@ -12,11 +12,6 @@ constexpr double touching = 0.5;
 // Speeds below this are none [m/s].
 constexpr double still = 1e-9;
 
-Vec direction(const Vec& v) noexcept {
-    const double size = length(v);
-    return size > 0 ? v / size : Vec{};
-}
-
 }  // namespace
 
 Vec left_behind(const Tick& tick) noexcept {
@@ -37,7 +32,7 @@ void stand(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
     const bool was_standing = tick.state.footing == Footing::ground;
     if (dot(tick.velocity, tick.up) > still && !was_standing) return;
-    const GroundRule rule{settings.perch_distance, direction(tick.wish), settings.snap_down};
+    const GroundRule rule{settings.perch_distance, unit(tick.wish), settings.snap_down};
     const double depth = was_standing ? settings.snap_down + settings.skin : touching * settings.skin;
     tick.ground = ground_under(tick.surroundings, tick.body, tick.gait, rule, tick.position, depth);
     stand_if_wedged(tick.surroundings, tick.body, tick.gait, tick.position, tick.ground);

@@ -31,13 +31,11 @@ const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) n
 }
 
 bool has_room(Tick& tick, const Body& body, const Vec& position) noexcept {
-    const Vec wide = Vec{1, 1, 1} * (2 * tick.gait.skin);
-    const Vec low = position + body.below - wide;
-    const Vec high = position + body.above + wide;
-    if (!tick.surroundings.cover(low, high)) return false;
+    const Box3 around = body.around(position, {}, 2 * tick.gait.skin);
+    if (!tick.surroundings.cover(around)) return false;
     const GrownVolume near = grown(body.volume, 0.5 * tick.gait.skin);
     bool room = true;
-    tick.surroundings.near(low, high, [&](const SourceTriangle& triangle) {
+    tick.surroundings.near(around, [&](const SourceTriangle& triangle) {
         if (!room || tick.surroundings.rule_of(triangle.surface).one_way) return;
         room = !surefoot::overlap(near.volume, to_dvec3(position + near.shift), triangle.triangle);
     });

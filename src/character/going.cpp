@@ -112,10 +112,7 @@ bool climb(Tick& tick) noexcept {
     const Vec ahead = tick.wish / length(tick.wish);
     Touches touches;
     const Vec probe = ahead * (2 * settings.skin);
-    const Vec wide = Vec{1, 1, 1} * (3 * settings.skin);
-    if (!tick.surroundings.cover(tick.position + tick.body.below - wide, tick.position + tick.body.above + wide)) {
-        return false;
-    }
+    if (!tick.surroundings.cover(tick.body.around(tick.position, {}, 3 * settings.skin))) return false;
     tick.surroundings.sweep(tick.body, tick.position, probe, touches);
     for (const Touch& touch : touches.get()) {
         const SourceTriangle triangle = tick.surroundings.triangles()[touch.index];

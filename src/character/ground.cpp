@@ -6,9 +6,6 @@ namespace surefoot::internal {
 
 namespace {
 
-// Touches within this share of the skin below the first are held by as well.
-constexpr double together = 0.25;
-
 // Who walks at an edge at a smaller angle than this (as a sine) walks along it.
 constexpr double towards_at_least = 0.1;
 
@@ -61,11 +58,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
                     const Vec& position, double depth) noexcept {
     Ground ground;
     const Vec down = gait.up * -depth;
-    const Vec to = position + down;
-    const Vec wide = Vec{1, 1, 1} * (gait.skin * 2);
-    if (!surroundings.cover(
-            Vec{smaller(position.x, to.x), smaller(position.y, to.y), smaller(position.z, to.z)} + body.below - wide,
-            Vec{larger(position.x, to.x), larger(position.y, to.y), larger(position.z, to.z)} + body.above + wide)) {
+    if (!surroundings.cover(body.around(position, down, 2 * gait.skin))) {
         ground.trusted = false;
         return ground;
     }
@@ -78,15 +71,15 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
             return ground;
         }
         const double distance = touch.t * depth;
-        if (first >= 0 && distance > first + together * gait.skin) break;
+        if (first >= 0 && distance > first + met_together * gait.skin) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
-        const Faces faces = faces_of(touch, surroundings, body, 0.5 * gait.skin, centre);
+        const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre);
         for (const Vec& normal : faces.get()) {
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             if (first < 0) first = distance;
             const Vec surface =
-                faces.replaced ? normal : surface_under(touch, surroundings, 0.5 * gait.skin, centre, gait.up);
+                faces.replaced ? normal : surface_under(touch, surroundings, gait.skin, centre, gait.up);
             const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
             const Footing footing = hold.footing;
             const bool better = ground.footing == Footing::air ||

@@ -17,11 +17,6 @@ constexpr double same_wall = 0.95;
 // Falling, hands find an edge they pass this much later; the reach grows by so much of the way of a tick.
 constexpr double reach_by_speed = 1.5;
 
-Vec direction(const Vec& v) noexcept {
-    const double size = length(v);
-    return size > 0 ? v / size : Vec{};
-}
-
 void hang(Tick& tick, const Ledge& ledge) noexcept {
     CharacterState& state = tick.state;
     tick.position =
@@ -74,7 +69,7 @@ void shimmy(Tick& tick) noexcept {
     const Vec along = tick.wish - wall * dot(wall, tick.wish);
     if (length(along) < 0.1 * length(tick.wish) || along == Vec{}) return;
     const Vec before = tick.position;
-    const Vec way = direction(along) * (tick.settings.shimmy_speed * tick.dt);
+    const Vec way = unit(along) * (tick.settings.shimmy_speed * tick.dt);
     tick.position = slide(tick.surroundings, tick.body, tick.gait, tick.position, way, {}).position;
     const double hands = tick.settings.hands_height;
     const auto ledge = find_ledge(tick, -wall, hands - refused_above, hands + refused_above);
@@ -124,7 +119,7 @@ bool hold_ledge(Tick& tick) noexcept {
     if (settings.ledge_reach <= 0) return false;
     if (state.hold != Hold::none) return keep_hanging(tick);
     if (tick.wish == Vec{} || tick.input.crouch || state.since_hold < lets_go_for) return false;
-    const Vec ahead = direction(tick.wish);
+    const Vec ahead = unit(tick.wish);
     const double speed = dot(tick.velocity, tick.up);
     if (tick.standing) {
         // Over something of at most the vault height, by a press of jump.

@@ -15,24 +15,8 @@ constexpr double column = 0.25;
 // At how many heights the ball looks for the wall.
 constexpr int heights = 4;
 
-// A wall rises more steeply than this, as its normal's part along `up`.
-constexpr double wall_at_most = 0.35;
-
 // How far behind the edge its ground is looked for, in half widths.
 constexpr double behind = 0.5;
-
-struct Probe {
-    Volume volume;
-    Vec below;
-    Vec above;
-};
-
-Probe probe_of(const Volume& volume) noexcept {
-    const auto reach = [&](const Vec& direction) noexcept { return reach_along(volume, direction); };
-    return {volume,
-            {-reach({-1, 0, 0}), -reach({0, -1, 0}), -reach({0, 0, -1})},
-            {reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})}};
-}
 
 class Finder {
 public:
@@ -43,17 +27,17 @@ public:
         const double reach = width + tick_.settings.ledge_reach;
         const Vec feet = tick_.position - tick_.up * tick_.body.foot;
         const Vec wide = Vec{1, 1, 1} * (reach + 2 * width + high);
-        if (!tick_.surroundings.cover(feet - wide, feet + wide)) return std::nullopt;
+        if (!tick_.surroundings.cover({feet - wide, feet + wide})) return std::nullopt;
 
         // The wall, at several heights from the lowest edge that would do to the highest.
-        const Probe sphere = probe_of(Sphere{ball * width});
+        const Volume sphere = Sphere{ball * width};
         std::optional<Touch> wall;
         double distance = 0;
         for (int i = heights - 1; i >= 0; --i) {
             const double height = (low * (heights - 1 - i) + high * i) / (heights - 1) - ball * width;
             const Vec from = feet + tick_.up * height;
             const auto touch = first(sphere, from, ahead * reach, StepAct::ledge_wall);
-            if (!touch || absolute(dot(touch->normal, tick_.up)) > wall_at_most) continue;
+            if (!touch || absolute(dot(touch->normal, tick_.up)) > wall_rises_at_most) continue;
             wall = touch;
             distance = touch->t * reach + ball * width;
             break;
@@ -64,15 +48,14 @@ public:
         if (dot(out, ahead) > -0.5) return std::nullopt;
 
         // The edge: what is let down behind the wall's face rests on its top.
-        const Probe cylinder = probe_of(upright(Cylinder{column * width, 0.5 * column * width}));
+        const Volume cylinder = upright(Cylinder{column * width, 0.5 * column * width});
         const double half = 0.5 * column * width;
         const Vec over = feet + ahead * distance - out * (column * width + tick_.gait.skin);
         const double start = high + half + tick_.gait.skin;
         const auto top =
             first(cylinder, over + tick_.up * start, tick_.up * (low - high - tick_.gait.skin), StepAct::ledge_edge);
         if (!top || top->t <= 0) return std::nullopt;
-        const Vec surface =
-            surface_under(*top, tick_.surroundings, 0.5 * tick_.gait.skin, over + tick_.up * start, tick_.up);
+        const Vec surface = surface_under(*top, tick_.surroundings, tick_.gait.skin, over + tick_.up * start, tick_.up);
         if (dot(surface, tick_.up) < tick_.gait.least_ground_up) return refused(*top, StepRule::slope_limit);
 
         Ledge ledge;
@@ -107,8 +90,8 @@ private:
         }
     }
 
-    std::optional<Touch> first(const Probe& probe, const Vec& from, const Vec& motion, StepAct act) noexcept {
-        tick_.surroundings.sweep(probe.volume, {}, probe.below, probe.above, from, motion, touches_);
+    std::optional<Touch> first(const Volume& probe, const Vec& from, const Vec& motion, StepAct act) noexcept {
+        tick_.surroundings.sweep(probe, {}, reach_box(probe), from, motion, touches_);
         const bool met = !touches_.get().empty();
         const Touch touch = met ? touches_.get().front() : Touch{};
         if (!met || touch.status == HitStatus::ok) {

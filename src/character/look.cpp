@@ -16,11 +16,6 @@ double height_of(const Body& body, const Gait& gait) noexcept {
     return body.foot + reach_along(body.volume, gait.up);
 }
 
-// How far below the body's position is what it stands on.
-double stands_on(const Body& body, const Gait& gait) noexcept {
-    return reach_along(body.kept_off, -gait.up) - dot(body.shift, gait.up);
-}
-
 // One more step, as high as this.
 class Look {
 public:
@@ -40,7 +35,7 @@ public:
         const Vec place = slide(own_, body_, gait_, raised.position, ahead_ * probe_, {}).position;
         if (dot(place - raised.position, ahead_) <= gait_.skin) return raised.height;
         Ground landing = ground_under(own_, body_, gait_, rule_, place, raised.height);
-        const double higher = dot(landing.point - position_, gait_.up) + stands_on(body_, gait_);
+        const double higher = dot(landing.point - position_, gait_.up) + body_.foot;
         if (landing.footing != Footing::ground || higher <= 0) return raised.height;
         name_surface(landing);
         found = {higher, true, landing};
@@ -50,7 +45,7 @@ public:
     // How high the first thing ahead is, seen from the height of the head.
     double height_by_ray() noexcept {
         const double tall = height_of(body_, gait_);
-        const Vec foot = position_ - gait_.up * stands_on(body_, gait_);
+        const Vec foot = position_ - gait_.up * body_.foot;
         const Vec beside = foot + ahead_ * (body_.half_width + 4 * gait_.skin);
         const auto hit = own_.world().ray({to_dvec3(beside + gait_.up * tall), to_dvec3(beside)}, own_.query());
         return hit && hit->status == HitStatus::ok ? (1 - hit->t) * tall : 0;

@@ -71,10 +71,9 @@ std::optional<Neighbours::Push> Neighbours::overlap(std::size_t index, const Vec
     return Push{to_vec(found->normal), found->depth};
 }
 
-bool Neighbours::is_near(std::size_t index, const Vec& place, const Vec& low, const Vec& high) const noexcept {
-    const double size = sizes_[index];
-    return place.x + size >= low.x && place.x - size <= high.x && place.y + size >= low.y && place.y - size <= high.y &&
-           place.z + size >= low.z && place.z - size <= high.z;
+bool Neighbours::is_near(std::size_t index, const Vec& place, const Box3& box) const noexcept {
+    const Vec size = Vec{1, 1, 1} * sizes_[index];
+    return box.meets({place - size, place + size});
 }
 
 void Neighbours::place(const World& world, const Vec& position, const Vec& velocity, double tick,
@@ -110,14 +109,11 @@ void Neighbours::place(const World& world, const Vec& position, const Vec& veloc
 template <typename Visit>
 void Neighbours::each_hit(const Vec& from, const Vec& motion, const Visit& visit) const noexcept {
     if (!placed_) return;
-    const Vec to = from + motion;
-    const Vec wide{wider_, wider_, wider_};
-    const Vec low = Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + body_.below - wide;
-    const Vec high = Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + body_.above + wide;
+    const Box3 around = body_.around(from, motion, wider_);
     for (std::size_t i = 0; i < count_; ++i) {
         if (given_[i].firmness != Firmness::hard) continue;
         const auto ask = [&](const Vec& place) noexcept {
-            if (!is_near(i, place, low, high)) return;
+            if (!is_near(i, place, around)) return;
             if (const auto met = meet(i, from, motion, place, {})) visit(i, *met);
         };
         ask(places_[i]);

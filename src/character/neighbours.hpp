@@ -60,7 +60,7 @@ private:
                                           const Vec& its_motion) const noexcept;
     [[nodiscard]] std::optional<Push> overlap(std::size_t index, const Vec& position, double by) const noexcept;
     static Vec way_out_of(std::span<const Push> pushes, double enough) noexcept;
-    [[nodiscard]] bool is_near(std::size_t index, const Vec& place, const Vec& low, const Vec& high) const noexcept;
+    [[nodiscard]] bool is_near(std::size_t index, const Vec& place, const Box3& box) const noexcept;
     template <typename Visit>
     void each_hit(const Vec& from, const Vec& motion, const Visit& visit) const noexcept;
 

@@ -72,10 +72,6 @@ bool Planes3::add(const Vec& normal) noexcept {
     return true;
 }
 
-bool Planes3::allow(const Vec& motion) const noexcept {
-    return allows(normals(), motion, along_tolerance);
-}
-
 bool Planes3::has(const Vec& normal) const noexcept {
     for (const Vec& old : normals()) {
         const Vec difference = normal - old;

@@ -22,15 +22,11 @@ public:
     /// False, and nothing is added, if there is no room for one more. A normal that is there already, to rounding, is
     /// not added again.
     bool add(const Vec& normal) noexcept;
-    void clear() noexcept { count_ = 0; }
 
     [[nodiscard]] std::span<const Vec> normals() const noexcept { return {normals_.data(), count_}; }
 
     /// Is this normal there already, to rounding?
     [[nodiscard]] bool has(const Vec& normal) const noexcept;
-
-    /// Does `motion` violate none, within `along_tolerance`?
-    [[nodiscard]] bool allow(const Vec& motion) const noexcept;
 
     /// The motion that is nearest to `wish` and violates none: the wish itself, its projection on one plane, on the
     /// crease of two, or no motion at all. Exact but for rounding: the conditions of Karush, Kuhn and Tucker are

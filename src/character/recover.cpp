@@ -69,16 +69,13 @@ public:
 private:
     // Pushed from several sides at once it gets nowhere. Somewhere near there may be room all the same.
     Recovery search(const Vec& from, double farthest) noexcept {
-        const Vec aside = absolute(gait_.up.x) < 0.6 ? Vec{1, 0, 0} : Vec{0, 0, 1};
-        Vec across = cross(gait_.up, aside);
-        across = across / length(across);
-        const Vec other = cross(gait_.up, across);
-        const double size = larger(body_.half_width, 0.5 * largest(body_.above - body_.below));
+        const auto [one, other] = across(gait_.up);
+        const double size = larger(body_.half_width, 0.5 * body_.size());
         for (int ring = 1; ring <= rings; ++ring) {
             const double distance = 1.5 * size * ring / rings;
             for (int i = 0; i < 16 + 2; ++i) {
                 // Sideways first, in sixteen directions; then up and down.
-                const Vec direction = i < 16    ? across * sixteenth[(i + 4) % 16] + other * sixteenth[i]
+                const Vec direction = i < 16    ? one * sixteenth[(i + 4) % 16] + other * sixteenth[i]
                                       : i == 16 ? gait_.up
                                                 : -gait_.up;
                 const auto place = room_near(from + direction * distance, size);
@@ -103,8 +100,7 @@ private:
     bool find_pushes(const Vec& position) noexcept {
         count_ = 0;
         deep_ = false;
-        const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
-        if (!surroundings_.cover(position + body_.below - wide, position + body_.above + wide)) return false;
+        if (!surroundings_.cover(body_.around(position, {}, 2 * gait_.skin))) return false;
         bool too_near = false;
         for_all(half_, position, [&](const Overlap& overlap) {
             too_near = true;
@@ -148,12 +144,11 @@ private:
 
     // What lies between is not known unless it was gathered.
     bool crosses(const Vec& from, const Vec& to) noexcept {
-        const Vec low{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)};
-        const Vec high{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)};
-        if (!surroundings_.cover(low, high)) return true;
+        const Motion way{to_dvec3(from), to_dvec3(to)};
+        if (!surroundings_.cover(swept_box({}, way))) return true;
         for (const SourceTriangle& triangle : surroundings_.triangles()) {
             if (surroundings_.rule_of(triangle.surface).one_way) continue;
-            if (surefoot::ray({to_dvec3(from), to_dvec3(to)}, triangle.triangle)) return true;
+            if (surefoot::ray(way, triangle.triangle)) return true;
         }
         return false;
     }

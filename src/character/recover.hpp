@@ -5,6 +5,9 @@
 
 namespace surefoot::internal {
 
+/// How fast a body gets out of what it begins inside of [m/s].
+inline constexpr double recovery_speed = 10;
+
 struct Recovery {
     Vec position;
     bool moved = false;

@@ -13,6 +13,9 @@ namespace {
 // touch's normal.
 constexpr double in_plane = 1e-7;
 
+// How far from the point of touch a surface may be and still hold it, as a share of the skin.
+constexpr double holds_within = 0.5;
+
 struct Face {
     Vec normal;  // unit, towards the body; zero for a triangle without area
     Vec corners[3];
@@ -62,7 +65,7 @@ bool is_before(const Body& body, const Vec& centre, const Face& face, double rea
 template <typename Visit>
 void near(const Surroundings& surroundings, const Vec& point, double reach, const Visit& visit) noexcept {
     const Vec around = Vec{1, 1, 1} * reach;
-    surroundings.near(point - around, point + around, visit);
+    surroundings.near({point - around, point + around}, visit);
 }
 
 }  // namespace
@@ -74,9 +77,10 @@ void Faces::add(const Vec& normal) noexcept {
     if (count < most) normals[count++] = normal;
 }
 
-Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double reach,
+Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin,
                const Vec& centre) noexcept {
     Faces faces;
+    const double reach = holds_within * skin;
     if (touch.feature != Feature::face) {
         const Face own = face_of(surroundings.triangles()[touch.index].triangle, centre);
         bool covered = false;
@@ -108,9 +112,10 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
     return faces;
 }
 
-Vec surface_under(const Touch& touch, const Surroundings& surroundings, double reach, const Vec& centre,
+Vec surface_under(const Touch& touch, const Surroundings& surroundings, double skin, const Vec& centre,
                   const Vec& up) noexcept {
     if (touch.feature == Feature::face) return touch.normal;
+    const double reach = holds_within * skin;
     Vec best = touch.normal;
     double height = -1;
     near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {

@@ -25,14 +25,14 @@ struct Faces {
 /// A touch on an edge or a corner is against what its normal says if no surface that holds the point of touch reaches
 /// out in front of the plane of that normal. Where one does, the shape would have met that surface before: the edge is
 /// an inner one, and the touch is against the faces that reach out and have all of the touched triangle behind them,
-/// and against that triangle's own face, as far as the body is in front of them. `reach` is how far from the point of
-/// touch a surface may be and still hold it [m]; `centre` is where the body is, to tell which side of a face it is on.
-[[nodiscard]] Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double reach,
+/// and against that triangle's own face, as far as the body is in front of them. A surface holds
+/// a point that is half the `skin` away or less; `centre` is where the body is, to tell which side of a face it is on.
+[[nodiscard]] Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin,
                              const Vec& centre) noexcept;
 
 /// The normal of the surface that holds the point of touch and looks most along `up`, turned towards the body; the
 /// touch's own if there is none.
-[[nodiscard]] Vec surface_under(const Touch& touch, const Surroundings& surroundings, double reach, const Vec& centre,
+[[nodiscard]] Vec surface_under(const Touch& touch, const Surroundings& surroundings, double skin, const Vec& centre,
                                 const Vec& up) noexcept;
 
 }  // namespace surefoot::internal

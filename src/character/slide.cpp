@@ -1,6 +1,6 @@
 #include "character/slide.hpp"
 
-#include <cmath>
+#include <optional>
 
 #include "character/neighbours.hpp"
 #include "character/seams.hpp"
@@ -16,11 +16,21 @@ constexpr int most_passes = 12;
 // Motions below this share of the wish are rest.
 constexpr double rest = 1e-9;
 
-// What is met within this share of the skin after the first touch is met with it.
-constexpr double together = 0.25;
-
 // Longer moves than this many times the body's size are first asked of the world's own tree.
 constexpr double leap_from = 4;
+
+// The plane as a wall: its normal as seen from above. Nothing for level ground.
+std::optional<Vec> wall_of(const Vec& normal, const Vec& up) noexcept {
+    const Vec level = normal - up * dot(normal, up);
+    const double run = length(level);
+    return run > 1e-6 ? std::optional(level / run) : std::nullopt;
+}
+
+// The same of what is too steep to be stood on and does not hang over.
+std::optional<Vec> steep_wall_of(const Vec& normal, const Gait& gait) noexcept {
+    const double rises = dot(normal, gait.up);
+    return rises > 0 && rises < gait.least_ground_up ? wall_of(normal, gait.up) : std::nullopt;
+}
 
 class Slide {
 public:
@@ -29,7 +39,7 @@ public:
         : surroundings_(surroundings), body_(body), gait_(gait), target_(from + wish), wish_length_(length(wish)) {
         result_.position = from;
         result_.planes = planes;
-        size_ = largest(body.above - body.below);
+        size_ = body.size();
     }
 
     SlideResult run() noexcept {
@@ -37,7 +47,7 @@ public:
             const Vec wish = target_ - result_.position;
             const Vec motion = allowed(wish);
             if (length(motion) <= rest * wish_length_) {
-                if (wish_length_ > 0) tell({.position = {}, .motion = to_dvec3(wish), .act = StepAct::rested});
+                if (wish_length_ > 0) tell({.motion = to_dvec3(wish), .act = StepAct::rested});
                 return result_;
             }
             tell({.motion = to_dvec3(motion), .act = StepAct::pass});
@@ -79,24 +89,19 @@ private:
     bool go(const Vec& motion) noexcept {
         const double way = length(motion);
         if (way > leap_from * size_) return leap(motion, way);
-        if (!cover(motion)) {
+        return !find_touches(motion) || go_to_first(motion, way);
+    }
+
+    // Everything that the motion may touch; with what is beside it, for the seams. False if there is no room for it.
+    bool find_touches(const Vec& motion) noexcept {
+        if (!surroundings_.cover(body_.around(result_.position, motion, 2 * gait_.skin))) {
             tell({.act = StepAct::overflow});
             result_.overflow = true;
-            return true;
+            return false;
         }
         surroundings_.sweep(body_, result_.position, motion, touches_);
         surroundings_.neighbours().sweep(result_.position, motion, touches_);
-        return go_to_first(motion, way);
-    }
-
-    // Everything that the motion may touch, and what is beside it, for the seams.
-    bool cover(const Vec& motion) noexcept {
-        const Vec to = result_.position + motion;
-        const Vec& from = result_.position;
-        const Vec wide = Vec{1, 1, 1} * (gait_.skin * 2);
-        return surroundings_.cover(
-            Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + body_.below - wide,
-            Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + body_.above + wide);
+        return true;
     }
 
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
@@ -118,12 +123,7 @@ private:
         const double room = t * way - size_;
         if (room > 0) result_.position = result_.position + motion * (room / way);
         const Vec near = motion * (2 * size_ / way);
-        if (!cover(near)) {
-            result_.overflow = true;
-            return true;
-        }
-        surroundings_.sweep(body_, result_.position, near, touches_);
-        surroundings_.neighbours().sweep(result_.position, near, touches_);
+        if (!find_touches(near)) return true;
         (void)go_to_first(near, 2 * size_);
         return false;
     }
@@ -132,10 +132,7 @@ private:
         const std::span<const Touch> touches = touches_.get();
         std::size_t i = 0;
         for (; i < touches.size(); ++i) {
-            if (touches[i].status != HitStatus::ok) {
-                result_.blocked = true;
-                return true;
-            }
+            if (touches[i].status != HitStatus::ok) return true;  // it cannot be trusted to be free
             if (meet(touches[i], motion)) break;
         }
         if (i == touches.size()) {
@@ -143,7 +140,7 @@ private:
             return true;
         }
         const double t = touches[i].t;
-        for (std::size_t k = i + 1; k < touches.size() && (touches[k].t - t) * way <= together * gait_.skin; ++k) {
+        for (std::size_t k = i + 1; k < touches.size() && (touches[k].t - t) * way <= met_together * gait_.skin; ++k) {
             if (touches[k].status == HitStatus::ok) (void)meet(touches[k], motion);
         }
         if (t > 0) result_.position = result_.position + motion * t;
@@ -154,7 +151,7 @@ private:
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         if (touch.is_neighbour) return meet_neighbour(touch, motion);
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, body_, 0.5 * gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, gait_.skin, centre);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {
@@ -175,43 +172,34 @@ private:
         if (dot(normal, motion) >= -along_tolerance * length(motion) || result_.planes.has(normal)) return false;
         tell(StepAct::met_neighbour, touch, normal, StepRule::none, touch.t);
         note(normal, touch, 0);
-        const double rises = dot(normal, gait_.up);
-        const Vec level = normal - gait_.up * rises;
-        const double run = length(level);
+        const auto wall = wall_of(normal, gait_.up);
         bool room = result_.planes.add(normal);
-        if (run > 1e-6 && gait_.on_foot) {
-            room = result_.planes.add(level / run) && room;
-        } else if (run > 1e-6 && rises > 0) {
-            never_lift(level / run, normal, touch, result_.position + motion * touch.t);
+        if (wall && gait_.on_foot) {
+            room = result_.planes.add(*wall) && room;
+        } else if (wall && dot(normal, gait_.up) > 0) {
+            never_lift(*wall, normal, touch, result_.position + motion * touch.t);
         }
-        if (!room) {
-            tell(StepAct::overflow, touch, normal);
-            result_.overflow = true;
-        }
+        if (!room) overflow(touch, normal);
         return true;
     }
 
     void obey(const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
         const double rises = dot(normal, gait_.up);
-        const bool is_steep = rises > 0 && rises < gait_.least_ground_up;
         note(normal, touch, rises);
         tell(StepAct::obeyed, touch, normal);
         bool room = result_.planes.add(normal);
         if (rises >= gait_.least_ground_up && !gait_.on_foot) come_down(centre);
-        if (is_steep) {
-            const Vec level = normal - gait_.up * rises;
-            const double run = length(level);
-            if (run > 1e-6) {
-                const Vec wall = level / run;
-                if (gait_.on_foot) {
-                    tell(StepAct::wall, touch, wall, StepRule::slope_limit, rises, gait_.least_ground_up);
-                    room = result_.planes.add(wall) && room;
-                } else {
-                    never_lift(wall, normal, touch, centre);
-                }
-            }
+        const auto wall = steep_wall_of(normal, gait_);
+        if (wall && gait_.on_foot) {
+            tell(StepAct::wall, touch, *wall, StepRule::slope_limit, rises, gait_.least_ground_up);
+            room = result_.planes.add(*wall) && room;
+        } else if (wall) {
+            never_lift(*wall, normal, touch, centre);
         }
-        if (room) return;
+        if (!room) overflow(touch, normal);
+    }
+
+    void overflow(const Touch& touch, const Vec& normal) noexcept {
         tell(StepAct::overflow, touch, normal);
         result_.overflow = true;
     }
@@ -225,9 +213,9 @@ private:
     // What is too steep is a wall to whatever goes into it: that part of the wish is given up, so that it is neither
     // climbed nor held on to. What falls on it goes on down its slope.
     void never_lift(const Vec& wall, const Vec& normal, const Touch& touch, const Vec& centre) noexcept {
-        const Vec wish = target_ - centre;
-        if (dot(wall, wish) >= 0) return;
-        target_ = target_ - wall * smaller(0, dot(wall, wish));
+        const double into = dot(wall, target_ - centre);
+        if (into >= 0) return;
+        target_ = target_ - wall * into;
         tell(StepAct::gave_up_rising, touch, normal, StepRule::slope_limit, dot(normal, gait_.up),
              gait_.least_ground_up);
     }
@@ -259,11 +247,8 @@ private:
 
 Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept {
     for (const Vec& normal : planes.normals()) {
-        const double rises = dot(normal, gait.up);
-        if (rises <= 0 || rises >= gait.least_ground_up) continue;
-        const Vec level = normal - gait.up * rises;
-        const Vec wall = level / length(level);
-        velocity = velocity - wall * smaller(0, dot(wall, velocity));
+        if (const auto wall = steep_wall_of(normal, gait))
+            velocity = velocity - *wall * smaller(0, dot(*wall, velocity));
     }
     return planes.nearest_to(velocity);
 }

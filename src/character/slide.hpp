@@ -37,7 +37,6 @@ struct SlideResult {
     std::size_t wall_count = 0;
     bool met_ceiling = false;
     bool overflow = false;  ///< there was no room for all that was met: the move ended early
-    bool blocked = false;   ///< an answer that could not be trusted ended the move
 };
 
 /// Moves by `wish`, along what is met. `planes` are obeyed from the start. The wish's end is kept in mind: what is left

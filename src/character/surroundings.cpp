@@ -1,6 +1,5 @@
 #include "character/surroundings.hpp"
 
-#include "character/body.hpp"
 #include "character/neighbours.hpp"
 #include "sweep/sweep.hpp"
 
@@ -22,6 +21,11 @@ bool comes_from_front(const Volume& volume, const Vec& place, const Triangle& tr
     return dot(normal, place - a) - reach_along(volume, -normal) >= -slack;
 }
 
+bool is_inside(const Box3& box, const Box3& outer) noexcept {
+    return outer.min.x <= box.min.x && outer.min.y <= box.min.y && outer.min.z <= box.min.z &&
+           box.max.x <= outer.max.x && box.max.y <= outer.max.y && box.max.z <= outer.max.z;
+}
+
 // What a box is grown by before it may say that nothing is there, as a share of the numbers in it.
 constexpr double margin = 1e-9;
 
@@ -41,45 +45,29 @@ Named Surroundings::name_of(const Touch& touch) const noexcept {
     return {triangles_[touch.index].body, triangles_[touch.index].id};
 }
 
-bool Surroundings::cover(const Vec& min, const Vec& max) noexcept {
-    const auto inside = [&] {
-        return covered_.min.x <= min.x && covered_.min.y <= min.y && covered_.min.z <= min.z &&
-               max.x <= covered_.max.x && max.y <= covered_.max.y && max.z <= covered_.max.z;
-    };
-    if (inside()) return true;
-    const std::size_t count = world_.gather({to_dvec3(min), to_dvec3(max)}, triangles_.all(), query_);
-    if (count > most) {
-        count_ = 0;
-        separated_ = nullptr;
-        covered_ = {{1, 1, 1}, {-1, -1, -1}};
-        return false;
-    }
-    count_ = count;
+bool Surroundings::cover(const Box3& box) noexcept {
+    if (is_inside(box, covered_)) return true;
+    const std::size_t count = world_.gather({to_dvec3(box.min), to_dvec3(box.max)}, triangles_.all(), query_);
+    const bool fits = count <= most;
+    count_ = fits ? count : 0;
+    covered_ = fits ? box : nothing;
     separated_ = nullptr;
-    covered_ = {min, max};
     for (std::size_t i = 0; i < count_; ++i) {
-        const Vec a = to_vec(triangles_[i].triangle.a);
-        const Vec b = to_vec(triangles_[i].triangle.b);
-        const Vec c = to_vec(triangles_[i].triangle.c);
-        boxes_[i] = {
-            {smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y)), smaller(a.z, smaller(b.z, c.z))},
-            {larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y)), larger(a.z, larger(b.z, c.z))}};
+        boxes_[i] = box_of(triangles_[i].triangle);
     }
-    return true;
+    return fits;
 }
 
-void Surroundings::sweep(const Volume& volume, const Vec& shift, const Vec& below, const Vec& above, const Vec& from,
-                         const Vec& motion, Touches& touches) const noexcept {
+void Surroundings::sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,
+                         Touches& touches) const noexcept {
     touches.clear();
     const Vec to = from + motion;
-    const double hair = margin * (1 + largest(from) + largest(to) + largest(above) + largest(below));
-    const Vec low =
-        Vec{smaller(from.x, to.x), smaller(from.y, to.y), smaller(from.z, to.z)} + below - Vec{hair, hair, hair};
-    const Vec high =
-        Vec{larger(from.x, to.x), larger(from.y, to.y), larger(from.z, to.z)} + above + Vec{hair, hair, hair};
+    const double hair = margin * (1 + largest(from) + largest(to) + largest(extent.max) + largest(extent.min));
+    const Vec wide{hair, hair, hair};
+    const Box3 box = swept_box({extent.min - wide, extent.max + wide}, {to_dvec3(from), to_dvec3(to)});
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
     for (std::size_t i = 0; i < count_; ++i) {
-        if (boxes_[i].meets(low, high)) ask(i, volume, asked, touches);
+        if (boxes_[i].meets(box)) ask(i, volume, asked, touches);
     }
 }
 
@@ -113,9 +101,9 @@ void Surroundings::separate(const Body& body, const Vec& position) noexcept {
     double largest_number = largest(position);
     for (std::size_t i = 0; i < count_; ++i) {
         separations_[i] = separation_of(body.kept_off.shape, body.frame, position + body.shift, triangles_[i].triangle);
-        largest_number = larger(largest_number, larger(largest(boxes_[i].min), largest(boxes_[i].max)));
+        largest_number = larger(largest_number, magnitude_of(boxes_[i]));
     }
-    hair_ = margin * 0x1p-10 * (largest_number + largest(body.above - body.below));
+    hair_ = margin * 0x1p-10 * (largest_number + body.size());
 }
 
 }  // namespace surefoot::internal

@@ -12,23 +12,16 @@
 #include <surefoot/shapes.hpp>
 #include <surefoot/world.hpp>
 
+#include "character/body.hpp"
 #include "character/separation.hpp"
-#include "frame.hpp"
+#include "query/reach.hpp"
 #include "raw_array.hpp"
 #include "vec.hpp"
 
 namespace surefoot::internal {
 
-/// An upright body as the questions of a step need it: the volume kept off by the skin, and the box around it.
-struct Body {
-    Volume volume;                   ///< as the user gave it, turned to `up`
-    Volume kept_off;                 ///< grown by the skin
-    Vec shift;                       ///< from the position to the reference point of `kept_off` [m]
-    Vec below, above;                ///< corners of the box around `kept_off`, relative to the position [m]
-    Frame frame{dquat(1, 0, 0, 0)};  ///< of both
-    double half_width;               ///< the largest horizontal reach of the volume from its axis [m]
-    double foot;                     ///< how far the lowest point of `kept_off` is from the position, along -up [m]
-};
+/// What is met within this share of the skin after the first touch is met with it.
+inline constexpr double met_together = 0.25;
 
 /// One touch on the way of a body.
 struct Touch {
@@ -78,21 +71,21 @@ public:
     }
 
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
-    bool cover(const Vec& min, const Vec& max) noexcept;
+    bool cover(const Box3& box) noexcept;
 
     /// All triangles, in the order of (body, id).
     [[nodiscard]] std::span<const SourceTriangle> triangles() const noexcept { return {triangles_.data(), count_}; }
 
     /// Every triangle's touch on the way from `from` by `motion`, `volume` being moved from `from + shift`. Requires:
-    /// the way is covered.
-    void sweep(const Volume& volume, const Vec& shift, const Vec& below, const Vec& above, const Vec& from,
-               const Vec& motion, Touches& touches) const noexcept;
+    /// the way is covered; `extent` is the box around the volume, relative to `from`.
+    void sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,
+               Touches& touches) const noexcept;
 
     /// Calls `visit(triangle)` for those whose own box meets this one.
     template <typename Visit>
-    void near(const Vec& min, const Vec& max, const Visit& visit) const noexcept {
+    void near(const Box3& box, const Visit& visit) const noexcept {
         for (std::size_t i = 0; i < count_; ++i) {
-            if (boxes_[i].meets(min, max)) visit(triangles_[i]);
+            if (boxes_[i].meets(box)) visit(triangles_[i]);
         }
     }
 
@@ -128,14 +121,7 @@ public:
     [[nodiscard]] bool is_traced() const noexcept { return trace_ != nullptr; }
 
 private:
-    struct Box {
-        Vec min;
-        Vec max;
-        [[nodiscard]] bool meets(const Vec& low, const Vec& high) const noexcept {
-            return min.x <= high.x && min.y <= high.y && min.z <= high.z && max.x >= low.x && max.y >= low.y &&
-                   max.z >= low.z;
-        }
-    };
+    static constexpr Box3 nothing{{1, 1, 1}, {-1, -1, -1}};  // no box lies inside of it
 
     // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.
     void separate(const Body& body, const Vec& position) noexcept;
@@ -148,9 +134,9 @@ private:
     const Neighbours& neighbours_;
     StepTrace* trace_;
     std::size_t count_ = 0;
-    Box covered_{{1, 1, 1}, {-1, -1, -1}};
+    Box3 covered_ = nothing;
     RawArray<SourceTriangle, most> triangles_;
-    RawArray<Box, most> boxes_;
+    RawArray<Box3, most> boxes_;
 
     // The planes, and what they were found for.
     const Body* separated_ = nullptr;

@@ -9,9 +9,6 @@ namespace surefoot::internal {
 
 namespace {
 
-// How fast a body gets out of what it begins inside of [m/s].
-constexpr double recovery_speed = 10;
-
 StepResult finish(Tick& tick) noexcept {
     CharacterState& after = tick.state;
     after.position = to_dvec3(tick.position);
@@ -136,16 +133,10 @@ void look_around(Tick& tick) noexcept {
     // Steps look farther ahead and up, and gather again; most ticks have none.
     const double speed = larger(length(tick.velocity), length(to_vec(tick.input.wish)));
     const double way = (speed + settings.gravity * tick.dt) * tick.dt + 3 * settings.skin;
-    if (way > 4 * largest(tick.body.above - tick.body.below)) return;
+    if (way > 4 * tick.body.size()) return;
     const bool on_foot = tick.state.footing == Footing::ground;
     const double deep = larger(way, on_foot ? settings.snap_down + 3 * settings.skin : 0);
-    const Vec around = Vec{1, 1, 1} * way;
-    const Vec down = tick.up * (way - deep);
-    const Vec low = tick.position + tick.body.below - around;
-    const Vec high = tick.position + tick.body.above + around;
-    (void)tick.surroundings.cover(
-        {smaller(low.x, low.x + down.x), smaller(low.y, low.y + down.y), smaller(low.z, low.z + down.z)},
-        {larger(high.x, high.x + down.x), larger(high.y, high.y + down.y), larger(high.z, high.z + down.z)});
+    (void)tick.surroundings.cover(tick.body.around(tick.position, tick.up * (way - deep), way));
 }
 
 void get_out(Tick& tick) noexcept {

@@ -8,6 +8,7 @@
 
 #include "character/body.hpp"
 #include "character/many.hpp"
+#include "character/recover.hpp"
 #include "crowd/grid.hpp"
 #include "crowd/order.hpp"
 #include "ieee_guard.hpp"
@@ -29,9 +30,6 @@ struct Crowd::State {
 
 namespace {
 
-// How fast a step takes a body out of what it overlaps, at most [m/s]; see character/tick.cpp.
-constexpr double recovery_speed = 10;
-
 // All that a step might come near to is within this of where it begins [m].
 double way_of(const CharacterSettings& settings, const CharacterInput& input, const CharacterState& state,
               double dt) noexcept {
@@ -50,10 +48,8 @@ bool is_usable(const CharacterInput& input, const Neighbour& neighbour, double w
 }
 
 Vec extent_of(const Volume& volume) noexcept {
-    const auto either_way = [&](const Vec& axis) noexcept {
-        return larger(reach_along(volume, axis), reach_along(volume, -axis));
-    };
-    return {either_way({1, 0, 0}), either_way({0, 1, 0}), either_way({0, 0, 1})};
+    const Box3 box = reach_box(volume);
+    return {larger(box.max.x, -box.min.x), larger(box.max.y, -box.min.y), larger(box.max.z, -box.min.z)};
 }
 
 // Two in the very same place have no way out of each other that both could take. Each sees the other a hair beside
