@@ -9,19 +9,15 @@ foreach(name judge_test metamorphic_test proof_test upright_start_test world_jud
   target_link_libraries(${name} PRIVATE surefoot_judge)
 endforeach()
 
-find_package(glm REQUIRED)
-find_package(tl-expected REQUIRED)
-
-# The core once more, with the seeded faults that the judge must catch. Never installed, never linked with the real one.
-find_package(glm REQUIRED)
-find_package(tl-expected REQUIRED)
+# The sweeps once more, with the seeded faults that the judge must catch. Objects and no archive: all of them are linked,
+# so that nothing asks the core's own library for a sweep. Never installed.
 get_target_property(core_sources surefoot SOURCES)
+list(FILTER core_sources INCLUDE REGEX "^sweep/")
 list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/src/)
-add_library(surefoot_faulty STATIC EXCLUDE_FROM_ALL ${core_sources})
+add_library(surefoot_faulty OBJECT EXCLUDE_FROM_ALL ${core_sources})
 surefoot_target(surefoot_faulty)
-target_include_directories(surefoot_faulty PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-find_package(hwy REQUIRED)
-target_link_libraries(surefoot_faulty PUBLIC glm::glm tl::expected PRIVATE hwy::hwy)
+target_include_directories(surefoot_faulty PUBLIC ${PROJECT_SOURCE_DIR}/src)
+target_link_libraries(surefoot_faulty PUBLIC surefoot::surefoot)
 target_compile_definitions(surefoot_faulty PUBLIC SUREFOOT_SEEDED_FAULTS)
 
 add_executable(faults_test faults_test.cpp)

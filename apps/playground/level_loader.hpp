@@ -53,11 +53,12 @@ public:
 
 private:
     using Result = Expected<Loaded>;
-    /// How far a load has come; its thread writes it.
-    struct Stage {
+    /// How far a load has come; its thread writes it. One aligned word, so that clang too needs no lock.
+    struct alignas(8) Stage {
         tools::LoadStep step = tools::LoadStep::opening;
         std::int32_t percent = 0;
     };
+    static_assert(std::atomic<Stage>::is_always_lock_free);
     using Progress = std::shared_ptr<std::atomic<Stage>>;
     static Result read(const std::string& path, const Progress& progress);
 

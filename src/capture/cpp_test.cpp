@@ -122,12 +122,15 @@ std::string geometry_lines(const Capture& capture) {
                        ",\n                             .bounds = {", braced(body.bounds.min), ", ",
                        braced(body.bounds.max), "}});\n"});
     }
+    if (capture.triangles.empty()) return out;
+    // A table: a statement for each of thousands would keep a compiler busy for minutes.
+    out += "    static const surefoot::CapturedTriangle triangles[] = {\n";
     for (const CapturedTriangle& one : capture.triangles) {
         const Triangle& t = one.triangle;
-        out += joined({"    moment.triangles.push_back({.triangle = {", braced(t.a), ", ", braced(t.b), ", ",
-                       braced(t.c), "},\n                                .id = ", literal(one.id),
-                       ", .surface = ", literal(one.surface), ", .body = ", literal(one.body), "});\n"});
+        out += joined({"        {{", braced(t.a), ", ", braced(t.b), ", ", braced(t.c), "}, ", literal(one.id), ", ",
+                       literal(one.surface), ", ", literal(one.body), "},\n"});
     }
+    out += "    };\n    moment.triangles.assign(std::begin(triangles), std::end(triangles));\n";
     return out;
 }
 
@@ -175,7 +178,7 @@ std::string capture_cpp_test(const Capture& capture, std::string_view name) {
                               ".", std::to_string(by.patch),
                               ". It expects the answer that was saved: if that is wrong, write the right one.\n"});
     out += in_comments(capture.note);
-    out += "#include <bit>\n#include <cstdint>\n#include <gtest/gtest.h>\n#include <limits>\n\n";
+    out += "#include <bit>\n#include <cstdint>\n#include <gtest/gtest.h>\n#include <iterator>\n#include <limits>\n\n";
     out += "#include <surefoot/capture.hpp>\n\n";
     out += joined({"TEST(Moments, ", in_a_name(name), ") {\n    surefoot::Capture moment;\n"});
     out += question_lines(capture) + geometry_lines(capture);
