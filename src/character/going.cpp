@@ -114,7 +114,9 @@ bool climb(Tick& tick) noexcept {
     const Vec probe = ahead * (2 * settings.skin);
     if (!tick.surroundings.cover(tick.body.around(tick.position, {}, 3 * settings.skin))) return false;
     tick.surroundings.sweep(tick.body, tick.position, probe, touches);
-    for (const Touch& touch : touches.get()) {
+    std::size_t place = 0;
+    while (const Touch* next = touches.at(place++)) {
+        const Touch& touch = *next;
         const SourceTriangle triangle = tick.surroundings.triangles()[touch.index];
         const double towards = -dot(touch.normal, ahead);
         if (touch.status != HitStatus::ok || !settings.surfaces[triangle.surface].ladder || towards < 0.5) continue;

@@ -65,13 +65,17 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
     Touches touches;
     surroundings.sweep(body, position, down, touches);
     double first = -1;
-    for (const Touch& touch : touches.get()) {
+    const double window = met_together * gait.skin;
+    const auto until = [&] { return first < 0 ? 1 : surely_later * ((first + window) / depth); };
+    std::size_t place = 0;
+    while (const Touch* next = touches.at(place++, until())) {
+        const Touch& touch = *next;
         if (touch.status != HitStatus::ok) {
             ground.trusted = false;
             return ground;
         }
         const double distance = touch.t * depth;
-        if (first >= 0 && distance > first + met_together * gait.skin) break;
+        if (first >= 0 && distance > first + window) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
         const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre);

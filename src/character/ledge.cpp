@@ -92,8 +92,9 @@ private:
 
     std::optional<Touch> first(const Volume& probe, const Vec& from, const Vec& motion, StepAct act) noexcept {
         tick_.surroundings.sweep(probe, {}, reach_box(probe), from, motion, touches_);
-        const bool met = !touches_.get().empty();
-        const Touch touch = met ? touches_.get().front() : Touch{};
+        const Touch* const first = touches_.at(0);
+        const bool met = first != nullptr;
+        const Touch touch = met ? *first : Touch{};
         if (!met || touch.status == HitStatus::ok) {
             tick_.tell({.motion = to_dvec3(motion),
                         .point = to_dvec3(met ? touch.point : from),

@@ -129,19 +129,21 @@ private:
     }
 
     bool go_to_first(const Vec& motion, double way) noexcept {
-        const std::span<const Touch> touches = touches_.get();
-        std::size_t i = 0;
-        for (; i < touches.size(); ++i) {
-            if (touches[i].status != HitStatus::ok) return true;  // it cannot be trusted to be free
-            if (meet(touches[i], motion)) break;
+        const Touch* first = nullptr;
+        std::size_t place = 0;
+        while ((first = touches_.at(place++)) != nullptr) {
+            if (first->status != HitStatus::ok) return true;  // it cannot be trusted to be free
+            if (meet(*first, motion)) break;
         }
-        if (i == touches.size()) {
+        if (first == nullptr) {
             result_.position = result_.position + motion;
             return true;
         }
-        const double t = touches[i].t;
-        for (std::size_t k = i + 1; k < touches.size() && (touches[k].t - t) * way <= met_together * gait_.skin; ++k) {
-            if (touches[k].status == HitStatus::ok) (void)meet(touches[k], motion);
+        const double t = first->t;
+        const double window = met_together * gait_.skin;
+        while (const Touch* next = touches_.at(place++, t + surely_later * (window / way))) {
+            if ((next->t - t) * way > window) break;
+            if (next->status == HitStatus::ok) (void)meet(*next, motion);
         }
         if (t > 0) result_.position = result_.position + motion * t;
         return result_.overflow;

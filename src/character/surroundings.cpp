@@ -7,10 +7,6 @@ namespace surefoot::internal {
 
 namespace {
 
-bool is_before(const Touch& a, const Touch& b) noexcept {
-    return a.t != b.t ? a.t < b.t : a.index < b.index;
-}
-
 // Is all of the body in front of the triangle's plane, but for the slack?
 bool comes_from_front(const Volume& volume, const Vec& place, const Triangle& triangle, double slack) noexcept {
     const Vec a = to_vec(triangle.a);
@@ -29,16 +25,10 @@ bool is_inside(const Box3& box, const Box3& outer) noexcept {
 // What a box is grown by before it may say that nothing is there, as a share of the numbers in it.
 constexpr double margin = 1e-9;
 
-}  // namespace
+// A plane between is surer by this.
+constexpr double hair_share = 0x1p-10;
 
-void Touches::add(const Touch& touch) noexcept {
-    std::size_t place = count_;
-    while (place > 0 && is_before(touch, touches_[place - 1])) --place;
-    if (place == most) return;
-    if (count_ < most) ++count_;
-    for (std::size_t i = count_ - 1; i > place; --i) touches_[i] = touches_[i - 1];
-    touches_[place] = touch;
-}
+}  // namespace
 
 Named Surroundings::name_of(const Touch& touch) const noexcept {
     if (touch.is_neighbour) return {neighbours_.id(touch.index), 0};
@@ -60,28 +50,30 @@ bool Surroundings::cover(const Box3& box) noexcept {
 
 void Surroundings::sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,
                          Touches& touches) const noexcept {
-    touches.clear();
     const Vec to = from + motion;
     const double hair = margin * (1 + largest(from) + largest(to) + largest(extent.max) + largest(extent.min));
     const Vec wide{hair, hair, hair};
     const Box3 box = swept_box({extent.min - wide, extent.max + wide}, {to_dvec3(from), to_dvec3(to)});
     const Motion asked{to_dvec3(from + shift), to_dvec3(to + shift)};
+    touches.begin(*this, volume, asked);
     for (std::size_t i = 0; i < count_; ++i) {
         if (boxes_[i].meets(box)) ask(i, volume, asked, touches);
     }
 }
 
 void Surroundings::sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept {
-    touches.clear();
     separate(body, from);
     const Vec to = from + motion;
     const Vec begins = from - separated_at_;
     const Vec ends = to - separated_at_;
-    const Motion asked{to_dvec3(from + body.shift), to_dvec3(to + body.shift)};
+    touches.begin(*this, body.kept_off, {to_dvec3(from + body.shift), to_dvec3(to + body.shift)});
+    const double unsure = hair_ / hair_share;
     for (std::size_t i = 0; i < count_; ++i) {
         const Separation& apart = separations_[i];
-        if (apart.gap + dot(apart.normal, begins) > hair_ && apart.gap + dot(apart.normal, ends) > hair_) continue;
-        ask(i, body.kept_off, asked, touches);
+        const double first = apart.gap + dot(apart.normal, begins);
+        const double last = apart.gap + dot(apart.normal, ends);
+        if (first > hair_ && last > hair_) continue;
+        touches.put_off(i, first > unsure ? (first - unsure) / (first - last) : 0);
     }
 }
 
@@ -103,7 +95,7 @@ void Surroundings::separate(const Body& body, const Vec& position) noexcept {
         separations_[i] = separation_of(body.kept_off.shape, body.frame, position + body.shift, triangles_[i].triangle);
         largest_number = larger(largest_number, magnitude_of(boxes_[i]));
     }
-    hair_ = margin * 0x1p-10 * (largest_number + body.size());
+    hair_ = margin * hair_share * (largest_number + body.size());
 }
 
 }  // namespace surefoot::internal

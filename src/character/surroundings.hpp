@@ -14,6 +14,7 @@
 
 #include "character/body.hpp"
 #include "character/separation.hpp"
+#include "character/touches.hpp"
 #include "query/reach.hpp"
 #include "raw_array.hpp"
 #include "vec.hpp"
@@ -23,30 +24,8 @@ namespace surefoot::internal {
 /// What is met within this share of the skin after the first touch is met with it.
 inline constexpr double met_together = 0.25;
 
-/// One touch on the way of a body.
-struct Touch {
-    double t = 0;           ///< [0, 1]
-    Vec point;              ///< [m]
-    Vec normal;             ///< unit, towards the body
-    std::size_t index = 0;  ///< which of the surrounding triangles
-    Feature feature = Feature::face;
-    HitStatus status = HitStatus::ok;
-    bool is_neighbour = false;  ///< then `index` is one of the neighbours
-};
-
-/// The touches of one move in order of time.
-class Touches {
-public:
-    static constexpr std::size_t most = 48;
-
-    void add(const Touch& touch) noexcept;  // keeps the earliest if there are too many
-    void clear() noexcept { count_ = 0; }
-    [[nodiscard]] std::span<const Touch> get() const noexcept { return {touches_.data(), count_}; }
-
-private:
-    RawArray<Touch, most> touches_;
-    std::size_t count_ = 0;
-};
+/// A time is reached for certain at this many times what was worked out for it.
+inline constexpr double surely_later = 1 + 1e-9;
 
 class Neighbours;
 
@@ -90,8 +69,12 @@ public:
     }
 
     /// The same for the body itself, kept off by its skin, which is what most questions are about: a triangle that a
-    /// plane keeps apart from all of the motion is not asked.
+    /// plane keeps apart from all of the motion is not asked, and one that a plane keeps apart at first only if the
+    /// touches before it are not enough.
     void sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept;
+
+    /// One of the triangles.
+    void ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept;
 
     /// The body has changed.
     void forget_body() noexcept { separated_ = nullptr; }
@@ -125,7 +108,6 @@ private:
 
     // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.
     void separate(const Body& body, const Vec& position) noexcept;
-    void ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept;
 
     const World& world_;
     WorldQuery query_;

@@ -135,7 +135,8 @@ void look_around(Tick& tick) noexcept {
     const double way = (speed + settings.gravity * tick.dt) * tick.dt + 3 * settings.skin;
     if (way > 4 * tick.body.size()) return;
     const bool on_foot = tick.state.footing == Footing::ground;
-    const double deep = larger(way, on_foot ? settings.snap_down + 3 * settings.skin : 0);
+    // After the way, a look down for the ground to be followed.
+    const double deep = way + (on_foot ? settings.snap_down + 3 * settings.skin : 0);
     (void)tick.surroundings.cover(tick.body.around(tick.position, tick.up * (way - deep), way));
 }
 
