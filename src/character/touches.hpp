@@ -26,8 +26,8 @@ struct Touch {
     bool is_neighbour = false;  ///< then `index` is one of the neighbours
 };
 
-/// The touches of one move in order of time. Most moves want the first two or three of a dozen: a triangle is asked only
-/// when no other can be touched before it.
+/// The touches of one move in order of time. Most moves want the first two or three of a dozen: a triangle is asked
+/// only when no other can be touched before it.
 class Touches {
 public:
     static constexpr std::size_t most = 48;
@@ -41,8 +41,8 @@ public:
 
     void add(const Touch& touch) noexcept;  // keeps the earliest if there are too many
 
-    /// The touch that comes after `place` others; none after the last. Those later than `until` may be missing. What was
-    /// returned stays as it is until the next move.
+    /// The touch that comes after `place` others; none after the last. Those later than `until` may be missing. What
+    /// was returned stays as it is until the next move.
     [[nodiscard]] const Touch* at(std::size_t place, double until = 1) noexcept;
 
 private:
