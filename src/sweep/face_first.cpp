@@ -54,6 +54,15 @@ Vec farthest_against(const Shape& shape, const Vec& n, double hair) noexcept {
         shape);
 }
 
+// How far from the face, in hairs, a shape may be at the start and touch it.
+constexpr double touching_hairs = 8;
+
+// Where the shape is nearest to the face's plane at t, on that plane.
+Vec touch_at(const SweepQuery& query, const Vec& normal, double t, double hair) noexcept {
+    const Vec touch = query.along * t + farthest_against(query.shape, normal, hair);
+    return touch - normal * dot(normal, touch - query.corners[0]);
+}
+
 // Is a point of the triangle's plane inside all three edges by `margin`? `normal` is of unit length.
 bool is_well_inside(const SweepQuery& query, const Vec& normal, const Vec& point, double margin) noexcept {
     const Vec across_first = cross(normal, query.edge_direction(0));
@@ -90,11 +99,25 @@ FaceFirst ask_face_first(const SweepQuery& query, double limit) noexcept {
     if (is_grazed(query, face.plane)) return face;
     face.t = smaller(1, face.plane.gap / -face.plane.approach);
     const double hair = query.triangle_hair();
-    const Vec touch = query.along * face.t + farthest_against(query.shape, face.plane.normal, hair);
-    face.point = touch - face.plane.normal * dot(face.plane.normal, touch - query.corners[0]);
+    face.point = touch_at(query, face.plane.normal, face.t, hair);
     if (is_well_inside(query, face.plane.normal, face.point, clearance * hair)) {
         face.verdict = FaceFirst::Verdict::hit;
     }
+    return face;
+}
+
+FaceFirst ask_touching_face(const SweepQuery& query, FaceFirst face) noexcept {
+    if (face.plane.normal == Vec{}) return face;
+    if (!(face.plane.gap > 0)) {
+        const Plane other = judged(query, -face.plane.normal);
+        if (other.gap > face.plane.gap) face.plane = other;
+    }
+    const double hair = query.triangle_hair();
+    if (!(absolute(face.plane.gap) <= touching_hairs * hair)) return face;
+    face.point = touch_at(query, face.plane.normal, 0, hair);
+    if (!is_well_inside(query, face.plane.normal, face.point, clearance * hair)) return face;
+    face.t = 0;
+    face.verdict = face.plane.approach < 0 ? FaceFirst::Verdict::hit : FaceFirst::Verdict::free;
     return face;
 }
 

@@ -21,4 +21,8 @@ struct FaceFirst {
 
 [[nodiscard]] FaceFirst ask_face_first(const SweepQuery& query, double limit) noexcept;
 
+/// For a shape that touches the middle of the face at `from`, or leaves it so little that the motion only grazes it:
+/// whether the motion goes deeper, to rounding; what ask_face_first left undecided, from its answer.
+[[nodiscard]] FaceFirst ask_touching_face(const SweepQuery& query, FaceFirst face) noexcept;
+
 }  // namespace surefoot::internal

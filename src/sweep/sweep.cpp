@@ -161,8 +161,12 @@ struct Quick {
     std::optional<Hit> hit{};
 };
 
-Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triangle& triangle, double limit) noexcept {
-    const FaceFirst face = ask_face_first(query, limit);
+Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triangle& triangle, double limit,
+                     StartSign sign) noexcept {
+    FaceFirst face = ask_face_first(query, limit);
+    if (sign == StartSign::rounded && face.verdict == FaceFirst::Verdict::undecided) {
+        face = ask_touching_face(query, face);
+    }
     if (face.verdict == FaceFirst::Verdict::free) return {true};
     if (face.verdict == FaceFirst::Verdict::hit) return {true, describe_face(query, motion, face)};
     const RoundFirst round = ask_one_feature(query, face, limit);
@@ -182,7 +186,7 @@ Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triang
 
 std::optional<Hit> decide(const SweepQuery& query, const Volume& volume, const Motion& motion, const Triangle& triangle,
                           double limit, Trace* trace, StartSign sign) noexcept {
-    const Quick quick = decide_quickly(query, motion, triangle, limit);
+    const Quick quick = decide_quickly(query, motion, triangle, limit, sign);
     if (quick.decided && trace == nullptr) return quick.hit;
     Planes planes(query, Ask::everything, limit, trace);
     propose(query, planes);
