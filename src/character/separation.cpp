@@ -89,19 +89,47 @@ private:
 
 }  // namespace
 
-Separation separation_of(const Shape& shape, const Frame& frame, const Vec& place, const Triangle& triangle) noexcept {
-    const Vec corners[3] = {frame.to_local(to_vec(triangle.a) - place), frame.to_local(to_vec(triangle.b) - place),
-                            frame.to_local(to_vec(triangle.c) - place)};
+Separator::Separator(const Shape& shape, const Frame& frame, const Vec& place) noexcept
+    : shape_(shape), frame_(frame), place_(place) {
     const Extents extents = extents_of(shape);
-    const Vec middle{0, extents.middle, 0};
-    const Vec nearest = nearest_to_origin(divide_each(corners[0] - middle, extents.half),
-                                          divide_each(corners[1] - middle, extents.half),
-                                          divide_each(corners[2] - middle, extents.half));
-    Widest widest(shape, corners);
-    widest.offer(-divide_each(nearest, extents.half));
+    half_ = extents.half;
+    per_half_ = divide_each({1, 1, 1}, half_);
+    middle_ = extents.middle;
+    has_sides_ = extents.has_sides;
+    is_ball_ = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Ellipsoid>(shape);
+}
+
+Separation Separator::from_ball(const Triangle& triangle) const noexcept {
+    const auto squashed = [&](const dvec3& corner) noexcept {
+        return multiply_each(frame_.to_local(to_vec(corner) - place_), per_half_);
+    };
+    const Vec a = squashed(triangle.a);
+    const Vec b = squashed(triangle.b);
+    const Vec c = squashed(triangle.c);
+    const Vec nearest = nearest_to_origin(a, b, c);
+    const double distance = length(nearest);
+    if (!(distance > 0)) return {{}, -1};
+    // What rounding did to the nearest point only tilts the plane: it is pushed against the triangle all the same.
+    const Vec towards = nearest / distance;
+    const double ahead = smaller(dot(towards, a), smaller(dot(towards, b), dot(towards, c)));
+    const Vec stretched = multiply_each(towards, per_half_);
+    const double scale = length(stretched);
+    return {frame_.to_world(stretched / -scale), (ahead - 1) / scale};
+}
+
+Separation Separator::from(const Triangle& triangle) const noexcept {
+    if (is_ball_) return from_ball(triangle);
+    const Vec corners[3] = {frame_.to_local(to_vec(triangle.a) - place_), frame_.to_local(to_vec(triangle.b) - place_),
+                            frame_.to_local(to_vec(triangle.c) - place_)};
+    const Vec middle{0, middle_, 0};
+    const Vec nearest =
+        nearest_to_origin(multiply_each(corners[0] - middle, per_half_), multiply_each(corners[1] - middle, per_half_),
+                          multiply_each(corners[2] - middle, per_half_));
+    Widest widest(shape_, corners);
+    widest.offer(-multiply_each(nearest, per_half_));
     const Vec face = cross(corners[1] - corners[0], corners[2] - corners[0]);
     widest.offer(dot(face, middle - corners[0]) < 0 ? -face : face);
-    if (extents.has_sides) {
+    if (has_sides_) {
         const Vec size{absolute(nearest.x), absolute(nearest.y), absolute(nearest.z)};
         if (size.y >= size.x && size.y >= size.z) {
             widest.offer({0, nearest.y > 0 ? -1.0 : 1.0, 0});
@@ -112,7 +140,7 @@ Separation separation_of(const Shape& shape, const Frame& frame, const Vec& plac
         }
     }
     if (!widest.found()) return {{}, -1};
-    return {frame.to_world(widest.get().normal), widest.get().gap};
+    return {frame_.to_world(widest.get().normal), widest.get().gap};
 }
 
 }  // namespace surefoot::internal

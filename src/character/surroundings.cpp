@@ -90,9 +90,10 @@ void Surroundings::separate(const Body& body, const Vec& position) noexcept {
     if (separated_ == &body) return;
     separated_ = &body;
     separated_at_ = position;
+    const Separator separator(body.kept_off.shape, body.frame, position + body.shift);
     double largest_number = largest(position);
     for (std::size_t i = 0; i < count_; ++i) {
-        separations_[i] = separation_of(body.kept_off.shape, body.frame, position + body.shift, triangles_[i].triangle);
+        separations_[i] = separator.from(triangles_[i].triangle);
         largest_number = larger(largest_number, magnitude_of(boxes_[i]));
     }
     hair_ = margin * hair_share * (largest_number + body.size());

@@ -37,6 +37,8 @@ inline void count_node(QueryWork& work, const WideNode& node, double enters) noe
 /// Asks triangles one at a time, in whatever order they come. Query has
 ///     void ask(const LeafBlock&, std::uint32_t slot, std::uint32_t id)    the exact question
 ///     double limit() const                                                 what begins later cannot matter
+/// and, if it matters to none of them which comes first,
+///     static constexpr bool wants_all() { return true; }
 template <typename Query>
 class Asker {
 public:
@@ -97,6 +99,10 @@ public:
 private:
     // The earliest first; what could only come after a hit is never asked.
     float take(std::span<Candidate> candidates) noexcept {
+        if constexpr (requires { requires Query::wants_all(); }) {
+            for (const Candidate& candidate : candidates) ask_place(candidate.place);
+            return float_at_least(query_.limit());
+        }
         while (!candidates.empty()) {
             const auto next = std::min_element(candidates.begin(), candidates.end(),
                                                [](const Candidate& a, const Candidate& b) { return a.t < b.t; });

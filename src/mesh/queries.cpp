@@ -176,6 +176,8 @@ std::size_t Mesh::gather(const Bounds& near, std::span<SourceTriangle> found,
         std::span<SourceTriangle> found;
         std::size_t count = 0;
 
+        [[nodiscard]] static constexpr bool wants_all() noexcept { return true; }
+
         void ask(const LeafBlock& block, std::uint32_t slot, std::uint32_t) noexcept {
             const SourceTriangle triangle = view.source_triangle(block, slot);
             if (!box.meets(box_of(triangle.triangle))) return;

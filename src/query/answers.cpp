@@ -20,9 +20,22 @@ void OverlapsInOrder::add(const Overlap& overlap) noexcept {
 }
 
 void sort_gathered(std::span<SourceTriangle> found) noexcept {
-    std::sort(found.begin(), found.end(), [](const SourceTriangle& a, const SourceTriangle& b) {
+    const auto is_before = [](const SourceTriangle& a, const SourceTriangle& b) {
         return a.body != b.body ? a.body < b.body : a.id < b.id;
-    });
+    };
+    // By insertion: a few dozen triangles that come in runs, leaf by leaf; or sorted already, from the only body.
+    constexpr std::size_t few = 64;
+    if (found.size() > few) {
+        if (!std::is_sorted(found.begin(), found.end(), is_before)) std::sort(found.begin(), found.end(), is_before);
+        return;
+    }
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        if (!is_before(found[i], found[i - 1])) continue;
+        const SourceTriangle moved = found[i];
+        std::size_t place = i;
+        for (; place > 0 && is_before(moved, found[place - 1]); --place) found[place] = found[place - 1];
+        found[place] = moved;
+    }
 }
 
 void NearestOfAll::offer(const SourceTriangle& candidate) noexcept {

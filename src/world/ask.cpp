@@ -149,6 +149,13 @@ std::size_t gather_body(const WorldBody& body, const Box3& near, std::span<Sourc
                         const WorldQuery& query) noexcept {
     const Stance stance = body.stance_at(query.begin);
     const SourceOptions mine(body, query);
+    if (stance.is_identity()) {
+        const std::size_t count = body.source.gather({to_dvec3(near.min), to_dvec3(near.max)}, found, mine.get());
+        for (SourceTriangle& triangle : found.first(count < found.size() ? count : found.size())) {
+            triangle.body = body.id;
+        }
+        return count;
+    }
     const auto placed = [&](const dvec3& point) noexcept { return to_dvec3(stance.to_world(to_vec(point))); };
     CarriedPoint corner = stance.to_body(near.min);
     Box3 seen{corner.point, corner.point};

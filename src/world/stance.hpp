@@ -50,6 +50,8 @@ public:
         return upright_ ? orientation : to_dquat(product(conjugate(turned_), scaled_to_one(orientation)));
     }
     [[nodiscard]] bool is_upright() const noexcept { return upright_; }
+    /// Are the body's coordinates the world's?
+    [[nodiscard]] bool is_identity() const noexcept { return upright_ && at_origin_; }
 
 private:
     Vec position_;
