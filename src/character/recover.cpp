@@ -118,7 +118,7 @@ private:
 
     template <typename Visit>
     void for_all(const GrownVolume& grown_by, const Vec& position, const Visit& visit) const noexcept {
-        surroundings_.near_body(body_, position, [&](const SourceTriangle& triangle) {
+        surroundings_.near_body(body_, grown_by, position, [&](const SourceTriangle& triangle) {
             if (surroundings_.rule_of(triangle.surface).one_way) return;
             const auto found =
                 surefoot::overlap(grown_by.volume, to_dvec3(position + grown_by.shift), triangle.triangle);

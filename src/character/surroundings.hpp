@@ -17,7 +17,9 @@
 #include "character/touches.hpp"
 #include "query/reach.hpp"
 #include "raw_array.hpp"
+#include "sweep/query.hpp"
 #include "vec.hpp"
+#include "world/ask.hpp"
 
 namespace surefoot::internal {
 
@@ -79,13 +81,17 @@ public:
     /// The body has changed.
     void forget_body() noexcept { separated_ = nullptr; }
 
-    /// Calls `visit(triangle)` for those that the body, kept off by its skin, may overlap at this place.
+    /// Calls `visit(triangle)` for those that the body, kept off by its skin or by `less`, which is no more than that,
+    /// may overlap at this place.
     template <typename Visit>
-    void near_body(const Body& body, const Vec& position, const Visit& visit) noexcept {
+    void near_body(const Body& body, const GrownVolume& less, const Vec& position, const Visit& visit) noexcept {
         separate(body, position);
         const Vec moved = position - separated_at_;
         for (std::size_t i = 0; i < count_; ++i) {
-            if (separations_[i].gap + dot(separations_[i].normal, moved) <= hair_) visit(triangles_[i]);
+            const Separation& apart = separations_[i];
+            const double gap = apart.gap + dot(apart.normal, moved);
+            if (gap > hair_ || gap + thinner_by(body, less, apart.normal) > hair_) continue;
+            visit(triangles_[i]);
         }
     }
 
@@ -104,6 +110,13 @@ public:
     [[nodiscard]] bool is_traced() const noexcept { return trace_ != nullptr; }
 
 private:
+    // How much less `less` reaches against a normal than the body with all of its skin.
+    static double thinner_by(const Body& body, const GrownVolume& less, const Vec& normal) noexcept {
+        const Vec local = body.frame.to_local(normal);
+        return reach_against(body.kept_off.shape, local) - dot(body.shift, normal) -
+               (reach_against(less.volume.shape, local) - dot(less.shift, normal));
+    }
+
     static constexpr Box3 nothing{{1, 1, 1}, {-1, -1, -1}};  // no box lies inside of it
 
     // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.

@@ -31,6 +31,19 @@ public:
         return {unit(divide_each(passes ? normals.passing : normals.entry, ball_.squash)), passes};
     }
 
+    // The plane between a ball that stands at `from` and the feature.
+    [[nodiscard]] Vec standing(const Part& part) const noexcept {
+        Vec nearest = corners_[0];
+        if (std::has_single_bit(part.corners)) {
+            nearest = corners_[std::countr_zero(part.corners)];
+        } else {
+            const int i = edge_of(part.corners);
+            const Vec& start = corners_[i == 2 ? 0 : i];
+            nearest = start - edges_[i] * (dot(start, edges_[i]) / dot(edges_[i], edges_[i]));
+        }
+        return unit(divide_each(-nearest, ball_.squash));
+    }
+
     [[nodiscard]] Place place(const Part& part, double t, const Vec&) const noexcept {
         const Vec centre = along_ * t;
         return std::has_single_bit(part.corners) ? on_corner(part.corners, centre) : on_edge(part.corners, centre);
@@ -80,7 +93,35 @@ private:
     Vec along_;
 };
 
+// How far from the feature, in hairs, a ball may be at the start and touch it.
+constexpr double touching_hairs = 8;
+
+RoundFirst touching(const SweepQuery& query, const Ball& ball) noexcept {
+    RoundFirst found;
+    const BallGuess guess(query, ball);
+    const BallGuess::Part part = guess.nearest(0);
+    if (part.corners == 7) return found;
+    const Vec normal = guess.standing(part);
+    if (normal == Vec{}) return found;
+    found.plane = judged(query, normal);
+    if (!(absolute(found.plane.gap) <= touching_hairs * query.triangle_hair())) return found;
+    const Place place = guess.place(part, 0, normal);
+    if (!place.is_clear || touched_corners(query, normal) != part.corners) return found;
+    found.point = place.point;
+    found.corners = part.corners;
+    found.verdict = found.plane.approach < 0 ? RoundFirst::Verdict::hit : RoundFirst::Verdict::free;
+    return found;
+}
+
 }  // namespace
+
+RoundFirst ask_touching_feature(const SweepQuery& query, const Sphere& sphere) noexcept {
+    return touching(query, {.radius = sphere.radius, .hairs = {}});
+}
+
+RoundFirst ask_touching_feature(const SweepQuery& query, const Ellipsoid& ellipsoid) noexcept {
+    return touching(query, {.radius = 1, .hairs = {}, .squash = to_vec(ellipsoid.radii)});
+}
 
 RoundFirst ask_round_first(const SweepQuery& query, const Sphere& sphere, const FaceFirst& face,
                            double limit) noexcept {

@@ -22,6 +22,10 @@ struct RoundFirst {
     unsigned corners = 0;  ///< the feature (bits, canonical order)
 };
 
+/// For a ball that touches one edge or one corner at `from`: whether the motion goes deeper, to rounding.
+[[nodiscard]] RoundFirst ask_touching_feature(const SweepQuery& query, const Sphere& sphere) noexcept;
+[[nodiscard]] RoundFirst ask_touching_feature(const SweepQuery& query, const Ellipsoid& ellipsoid) noexcept;
+
 /// `face`: what the triangle's own plane said.
 [[nodiscard]] RoundFirst ask_round_first(const SweepQuery& query, const Sphere& sphere, const FaceFirst& face,
                                          double limit) noexcept;

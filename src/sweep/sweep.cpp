@@ -155,6 +155,12 @@ RoundFirst ask_one_feature(const SweepQuery& query, const FaceFirst& face, doubl
     return {};
 }
 
+RoundFirst ask_touching(const SweepQuery& query) noexcept {
+    if (const auto* sphere = std::get_if<Sphere>(&query.shape)) return ask_touching_feature(query, *sphere);
+    if (const auto* ellipsoid = std::get_if<Ellipsoid>(&query.shape)) return ask_touching_feature(query, *ellipsoid);
+    return {};
+}
+
 // What most sweeps are: the face settles it, or a feature that is clearly entered and a touch that is found there.
 struct Quick {
     bool decided = false;
@@ -169,7 +175,8 @@ Quick decide_quickly(const SweepQuery& query, const Motion& motion, const Triang
     }
     if (face.verdict == FaceFirst::Verdict::free) return {true};
     if (face.verdict == FaceFirst::Verdict::hit) return {true, describe_face(query, motion, face)};
-    const RoundFirst round = ask_one_feature(query, face, limit);
+    RoundFirst round = ask_one_feature(query, face, limit);
+    if (sign == StartSign::rounded && round.verdict == RoundFirst::Verdict::undecided) round = ask_touching(query);
     if (round.verdict == RoundFirst::Verdict::free) return {true};
     if (round.verdict == RoundFirst::Verdict::hit) {
         return {true, described(query, triangle, motion, round.plane, round.t, round.corners, true, round.point)};
