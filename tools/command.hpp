@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+// NOLINTNEXTLINE(readability-identifier-naming): CLI11's own
 namespace CLI {
 class App;  // its header takes seconds to compile
 }

@@ -9,6 +9,7 @@
 #include <surefoot/import.hpp>
 #include <surefoot/mesh.hpp>
 
+// NOLINTNEXTLINE(readability-identifier-naming): CLI11's own
 namespace CLI {
 class App;  // its header takes seconds to compile
 }

@@ -7,6 +7,7 @@
 
 #include "parse.hpp"
 
+// NOLINTNEXTLINE(readability-identifier-naming): CLI11's own
 namespace CLI {
 class App;  // its header takes seconds to compile
 }

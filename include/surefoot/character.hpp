@@ -12,6 +12,7 @@
 #include <span>
 #include <type_traits>
 
+#include <surefoot/character_hooks.hpp>
 #include <surefoot/character_neighbour.hpp>
 #include <surefoot/character_settings.hpp>
 #include <surefoot/character_trace.hpp>
@@ -27,6 +28,7 @@ enum class CharacterMode : std::uint8_t {
     walk,  ///< on its feet, or falling
     swim,  ///< in all directions, sinking slowly: you say when it is under water
     fly,   ///< in all directions, without gravity, still meeting everything
+    own,   ///< as your own rule says: CharacterHooks::move
 };
 
 /// Which of its bodies a character has.
@@ -144,10 +146,10 @@ struct StepResult {
 /// state as it was, with the event `invalid`. The world's moving bodies go from their poses at the start of its tick to
 /// those at the end. `neighbours` are the others near by, as they all were before anybody took this step; the result
 /// does not go deeper into any of the hard ones than it began. `trace` is told what was tried, met and decided; a step
-/// without one pays nothing for it.
+/// without one pays nothing for it. `hooks` are rules of your own; the result depends on what they answer, too.
 [[nodiscard]] StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input,
                               double dt, const CharacterState& state, std::span<const Neighbour> neighbours = {},
-                              StepTrace* trace = nullptr) noexcept;
+                              StepTrace* trace = nullptr, const CharacterHooks& hooks = {}) noexcept;
 
 /// Many characters at once. What there is one of each for has as many as `before`.
 struct Characters {

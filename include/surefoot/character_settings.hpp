@@ -63,6 +63,11 @@ struct CharacterSettings {
     /// an edge is not limited by this.
     double perch_distance = 0.2;
 
+    /// On the edge of a floor a rounded body sinks as it rolls off: an ellipsoid's dip. With flat feet it keeps the
+    /// floor's height until the edge is farther out than `perch_distance`, as a cylinder would, and then steps down or
+    /// falls.
+    bool flat_foot = false;
+
     /// How others meet this one. It decides nothing about how this one meets them.
     Firmness firmness = Firmness::hard;
 

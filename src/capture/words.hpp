@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, 3> status_words{"ok", "invalid", "
 inline constexpr std::array<std::string_view, 2> response_words{"slide", "stop"};
 inline constexpr std::array<std::string_view, 2> slope_speed_words{"level", "along"};
 inline constexpr std::array<std::string_view, 4> footing_words{"air", "ground", "steep", "ledge"};
-inline constexpr std::array<std::string_view, 3> mode_words{"walk", "swim", "fly"};
+inline constexpr std::array<std::string_view, 4> mode_words{"walk", "swim", "fly", "own"};
 inline constexpr std::array<std::string_view, 4> form_words{"standing", "crouched", "in_air", "on_ramp"};
 inline constexpr std::array<std::string_view, 3> hold_words{"none", "hanging", "climbing"};
 inline constexpr std::array<std::string_view, 29> act_words{

@@ -53,8 +53,8 @@ void go_on_foot(Tick& tick, double seconds) noexcept {
     tick.tell({.motion = to_dvec3(travel.way), .act = StepAct::wants});
     Gait on_foot = tick.gait;
     on_foot.on_foot = true;
-    const WalkResult walked =
-        walk(tick.surroundings, tick.body, on_foot, settings, tick.position, tick.ground, travel.way, travel.velocity);
+    const WalkResult walked = walk(tick.surroundings, tick.body, on_foot, settings, tick.hooks.respond, tick.position,
+                                   tick.ground, travel.way, travel.velocity);
     tick.position = walked.position;
     tick.velocity = walked.velocity;
     tick.ground = walked.ground;
@@ -94,13 +94,21 @@ void fall(Tick& tick, double seconds) noexcept {
 
 void move_freely(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
+    tick.state.is_jumping = 0;
+    if (tick.input.mode == CharacterMode::own) {
+        const OwnMotion answer = tick.hooks.move({.position = to_dvec3(tick.position),
+                                                  .velocity = to_dvec3(tick.velocity),
+                                                  .wish = tick.input.wish,
+                                                  .up = to_dvec3(tick.up),
+                                                  .dt = tick.dt});
+        return tick.glide(finite_or_none(answer.way), finite_or_none(answer.velocity));
+    }
     const bool swims = tick.input.mode == CharacterMode::swim;
     const Vec asked = to_vec(tick.input.wish);
     const double rate = swims ? settings.swim_acceleration : settings.fly_acceleration;
     const Vec drift = swims ? tick.up * -settings.sink_speed : Vec{};
     const Travel travel = accelerate(tick.velocity, asked == Vec{} ? drift : asked, rate, tick.dt);
     tick.glide(travel.way, travel.velocity);
-    tick.state.is_jumping = 0;
 }
 
 bool climb(Tick& tick) noexcept {

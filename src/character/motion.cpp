@@ -46,4 +46,10 @@ Flight fly(double speed, double rising, double falling, double terminal, double 
     return flight;
 }
 
+Vec finite_or_none(const dvec3& v) noexcept {
+    constexpr double far = 1e9;
+    const Vec vector = to_vec(v);
+    return norm1(vector) < far ? vector : Vec{};  // false for what is no number
+}
+
 }  // namespace surefoot::internal

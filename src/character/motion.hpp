@@ -1,6 +1,8 @@
 // Velocity and way over a tick in closed form, so that they do not depend on how time is cut into ticks.
 #pragma once
 
+#include <surefoot/math.hpp>
+
 #include "vec.hpp"
 
 namespace surefoot::internal {
@@ -20,5 +22,8 @@ struct Flight {
 
 /// Straight up or down under gravity: `rising` while the speed is upwards, `falling` after that, until `terminal`.
 [[nodiscard]] Flight fly(double speed, double rising, double falling, double terminal, double seconds) noexcept;
+
+/// A user's own vector, if all its numbers are some; else zero.
+[[nodiscard]] Vec finite_or_none(const dvec3& v) noexcept;
 
 }  // namespace surefoot::internal

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "character/motion.hpp"
 #include "character/neighbours.hpp"
 #include "character/seams.hpp"
 
@@ -39,6 +40,8 @@ public:
         : surroundings_(surroundings), body_(body), gait_(gait), target_(from + wish), wish_length_(length(wish)) {
         result_.position = from;
         result_.planes = planes;
+        given_ = planes;
+        velocity_ = gait.velocity;
         size_ = body.size();
     }
 
@@ -129,6 +132,7 @@ private:
     }
 
     bool go_to_first(const Vec& motion, double way) noexcept {
+        const std::size_t planes_before = result_.planes.normals().size();
         const Touch* first = nullptr;
         std::size_t place = 0;
         while ((first = touches_.at(place++)) != nullptr) {
@@ -146,7 +150,30 @@ private:
             if (next->status == HitStatus::ok) (void)meet(*next, motion);
         }
         if (t > 0) result_.position = result_.position + motion * t;
+        if (gait_.respond != nullptr && !result_.overflow) ask_user(*first, planes_before);
         return result_.overflow;
+    }
+
+    // The user's own response to what is touched now. What was met before is behind it.
+    void ask_user(const Touch& touch, std::size_t planes_before) noexcept {
+        Planes3 planes = given_;
+        const std::span<const Vec> met = result_.planes.normals().subspan(planes_before);
+        for (const Vec& normal : met) (void)planes.add(normal);
+        const Named named = surroundings_.name_of(touch);
+        const OwnMotion answer =
+            (*gait_.respond)({.position = to_dvec3(result_.position),
+                              .point = to_dvec3(touch.point),
+                              .normal = to_dvec3(met.empty() ? touch.normal : met.front()),
+                              .left = {.way = to_dvec3(target_ - result_.position), .velocity = to_dvec3(velocity_)},
+                              .body = named.body,
+                              .triangle = named.triangle,
+                              .surface = touch.is_neighbour ? 0 : surroundings_.triangles()[touch.index].surface,
+                              .is_neighbour = touch.is_neighbour,
+                              .on_foot = gait_.on_foot});
+        target_ = result_.position + finite_or_none(answer.way);
+        velocity_ = finite_or_none(answer.velocity);
+        result_.planes = planes;
+        result_.answered = velocity_;
     }
 
     // Is this touch in the way of the motion? If it is, its planes are obeyed from now on.
@@ -240,12 +267,22 @@ private:
     const Gait& gait_;
     Vec target_;
     double wish_length_;
+    Planes3 given_;
+    Vec velocity_;
     double size_ = 0;
     SlideResult result_;
     Touches touches_;
 };
 
 }  // namespace
+
+Gait answered_by(Gait gait, const OwnRule<MetOnTheWay>& respond, const Vec& velocity) noexcept {
+    if (!respond) return gait;
+    gait.respond = &respond;
+    gait.velocity = velocity;
+    gait.stops = false;
+    return gait;
+}
 
 Vec velocity_along(const Planes3& planes, const Gait& gait, Vec velocity) noexcept {
     for (const Vec& normal : planes.normals()) {

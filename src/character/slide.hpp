@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+
+#include <surefoot/character_hooks.hpp>
 
 #include "character/planes.hpp"
 #include "character/surroundings.hpp"
@@ -17,7 +20,14 @@ struct Gait {
     double skin;             ///< [m]
     bool on_foot = false;    ///< walks on ground: rising is free, and what is too steep is a wall
     bool stops = false;      ///< stays where it meets something
+
+    /// What is asked when something is in the way, if there is such a rule; and the velocity that it is told of.
+    const OwnRule<MetOnTheWay>* respond = nullptr;
+    Vec velocity{};
 };
+
+/// The same with the user's own response, if there is one.
+[[nodiscard]] Gait answered_by(Gait gait, const OwnRule<MetOnTheWay>& respond, const Vec& velocity) noexcept;
 
 /// Something that was in the way.
 struct Obstacle {
@@ -36,7 +46,8 @@ struct SlideResult {
     std::array<Obstacle, 3> walls{};  ///< what cannot be walked on and does not hang over; for steps
     std::size_t wall_count = 0;
     bool met_ceiling = false;
-    bool overflow = false;  ///< there was no room for all that was met: the move ended early
+    bool overflow = false;          ///< there was no room for all that was met: the move ended early
+    std::optional<Vec> answered{};  ///< the velocity that the user's own response left
 };
 
 /// Moves by `wish`, along what is met. `planes` are obeyed from the start. The wish's end is kept in mind: what is left

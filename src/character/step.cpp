@@ -90,11 +90,13 @@ bool is_valid(const CharacterSettings& settings) noexcept {
 }
 
 StepResult step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
-                const CharacterState& state, std::span<const Neighbour> neighbours, StepTrace* trace) noexcept {
+                const CharacterState& state, std::span<const Neighbour> neighbours, StepTrace* trace,
+                const CharacterHooks& hooks) noexcept {
     const internal::IeeeGuard guard;
     StepResult result{state, {}};
     if (!(dt > 0 && dt <= internal::longest_dt) || !is_valid(settings) || !internal::is_valid(input) ||
-        !internal::is_valid(state) || !internal::are_valid(neighbours)) {
+        !internal::is_valid(state) || !internal::are_valid(neighbours) ||
+        (input.mode == CharacterMode::own && !hooks.move)) {
         result.events.set = static_cast<std::uint32_t>(CharacterEvent::invalid);
         return result;
     }
@@ -102,7 +104,8 @@ StepResult step(const World& world, const CharacterSettings& settings, const Cha
     CharacterInput once = input;
     for (double done = 0; done < parts; ++done) {
         const internal::TickPart part{done / parts, (done + 1) / parts};
-        const StepResult next = internal::tick_once({world, settings, once, dt, part, result.state, neighbours, trace});
+        const StepResult next =
+            internal::tick_once({world, settings, once, dt, part, result.state, neighbours, trace, hooks});
         result.state = next.state;
         result.events = merged(result.events, next.events);
         once.impulse = {0, 0, 0};

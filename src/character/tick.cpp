@@ -40,6 +40,7 @@ StepResult finish(Tick& tick) noexcept {
 Tick::Tick(const TickArguments& arguments) noexcept
     : settings(arguments.settings),
       input(arguments.input),
+      hooks(arguments.hooks),
       whole(arguments.tick),
       part(arguments.part),
       dt(whole * (part.end - part.begin)),
@@ -78,9 +79,11 @@ void Tick::tell(StepAct act, const Ground& about, double value) const noexcept {
 
 void Tick::glide(const Vec& way, const Vec& velocity_after) noexcept {
     tell({.motion = to_dvec3(way), .act = StepAct::wants});
-    const SlideResult slid = slide(surroundings, body, gait, position, way, {});
+    const SlideResult slid =
+        slide(surroundings, body, answered_by(gait, hooks.respond, velocity_after), position, way, {});
     position = slid.position;
-    velocity = velocity_along(slid.planes, gait, velocity_after);
+    velocity =
+        slid.answered ? slid.planes.nearest_to(*slid.answered) : velocity_along(slid.planes, gait, velocity_after);
     if (slid.overflow) say(CharacterEvent::overflow);
     if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
     tell_obstacle(slid.obstacle);

@@ -26,6 +26,7 @@ struct TickArguments {
     const CharacterState& state;
     std::span<const Neighbour> neighbours;
     StepTrace* trace;
+    const CharacterHooks& hooks;
 };
 
 struct Tick {
@@ -34,6 +35,7 @@ struct Tick {
 
     const CharacterSettings& settings;
     const CharacterInput& input;
+    const CharacterHooks& hooks;
     double whole;   ///< all of the world's tick [s]
     TickPart part;  ///< the part of it that is done here
     double dt;      ///< how long that is [s]
@@ -74,7 +76,7 @@ void stand(Tick& tick) noexcept;        ///< is there ground?
 void leap(Tick& tick) noexcept;         ///< jumps, jumps off walls, dashes
 void go_on_foot(Tick& tick, double seconds) noexcept;
 void fall(Tick& tick, double seconds) noexcept;
-void move_freely(Tick& tick) noexcept;               ///< swims or flies
+void move_freely(Tick& tick) noexcept;               ///< swims, flies, or goes as the user says
 [[nodiscard]] bool hold_ledge(Tick& tick) noexcept;  ///< grabs, hangs, climbs, vaults, where there is an edge
 [[nodiscard]] bool climb(Tick& tick) noexcept;       ///< on a ladder, if there is one
 void land(Tick& tick, double upward_speed) noexcept;

@@ -19,8 +19,9 @@ constexpr double resting = 0.05;
 
 class Walk {
 public:
-    Walk(Surroundings& surroundings, const Body& body, const Gait& gait, const CharacterSettings& settings) noexcept
-        : surroundings_(surroundings), body_(body), gait_(gait), settings_(settings) {}
+    Walk(Surroundings& surroundings, const Body& body, const Gait& gait, const CharacterSettings& settings,
+         const OwnRule<MetOnTheWay>& respond) noexcept
+        : surroundings_(surroundings), body_(body), gait_(gait), settings_(settings), respond_(respond) {}
 
     WalkResult run(const Vec& from, const Ground& ground, const Vec& way, const Vec& velocity) noexcept {
         result_.position = from;
@@ -47,7 +48,8 @@ private:
         const Vec from = result_.position;
         Planes3 planes;
         (void)planes.add(result_.ground.normal);
-        const SlideResult slid = slide(surroundings_, body_, gait_, from, along_ground(level), planes);
+        const SlideResult slid = slide(surroundings_, body_, answered_by(gait_, respond_, result_.velocity), from,
+                                       along_ground(level), planes);
         result_.met_ceiling = result_.met_ceiling || slid.met_ceiling;
         result_.overflow = result_.overflow || slid.overflow;
         result_.position = slid.position;
@@ -63,7 +65,7 @@ private:
             return;
         }
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
-        const Vec velocity = slid.planes.nearest_on_foot(result_.velocity, gait_.up);
+        const Vec velocity = slid.planes.nearest_on_foot(slid.answered.value_or(result_.velocity), gait_.up);
         result_.velocity = velocity - gait_.up * dot(velocity, gait_.up);
     }
 
@@ -93,6 +95,14 @@ private:
         return way * (length(level) / length(way));
     }
 
+    // How far the body sinks beside an edge that holds it, compared with standing on the surface behind the edge.
+    double dip_at(const Ground& ground) const noexcept {
+        const Vec touching = result_.position - gait_.up * ground.distance + body_.shift;
+        const double reaches = reach_along(body_.kept_off, -ground.normal);
+        const double sunk = reaches - dot(touching - ground.point, ground.normal);
+        return larger(0, sunk) / dot(ground.normal, gait_.up);
+    }
+
     void settle() noexcept {
         const double depth = settings_.snap_down + gait_.skin;
         Ground ground = ground_under(surroundings_, body_, gait_, rule_, result_.position, depth);
@@ -101,6 +111,9 @@ private:
             return;  // where it is it was standing before
         }
         stand_if_wedged(surroundings_, body_, gait_, result_.position, ground);
+        if (settings_.flat_foot && ground.footing == Footing::ground) {
+            ground.distance = larger(0, ground.distance - dip_at(ground));
+        }
         result_.ground = ground;
         if (ground.footing != Footing::ground) return;
         if (ground.distance <= resting * gait_.skin) return;
@@ -123,6 +136,7 @@ private:
     const Body& body_;
     const Gait& gait_;
     const CharacterSettings& settings_;
+    const OwnRule<MetOnTheWay>& respond_;
     GroundRule rule_{0, {}};
     WalkResult result_;
 };
@@ -130,8 +144,9 @@ private:
 }  // namespace
 
 WalkResult walk(Surroundings& surroundings, const Body& body, const Gait& gait, const CharacterSettings& settings,
-                const Vec& from, const Ground& ground, const Vec& way, const Vec& velocity) noexcept {
-    return Walk(surroundings, body, gait, settings).run(from, ground, way, velocity);
+                const OwnRule<MetOnTheWay>& respond, const Vec& from, const Ground& ground, const Vec& way,
+                const Vec& velocity) noexcept {
+    return Walk(surroundings, body, gait, settings, respond).run(from, ground, way, velocity);
 }
 
 }  // namespace surefoot::internal

@@ -22,7 +22,7 @@ struct WalkResult {
 
 /// Goes by `way`, which is across `up`, beginning on `ground`.
 [[nodiscard]] WalkResult walk(Surroundings& surroundings, const Body& body, const Gait& gait,
-                              const CharacterSettings& settings, const Vec& from, const Ground& ground, const Vec& way,
-                              const Vec& velocity) noexcept;
+                              const CharacterSettings& settings, const OwnRule<MetOnTheWay>& respond, const Vec& from,
+                              const Ground& ground, const Vec& way, const Vec& velocity) noexcept;
 
 }  // namespace surefoot::internal

@@ -1,0 +1,164 @@
+// Ways of moving of the user's own, and flat feet.
+#include <limits>
+
+#include "movement_scene.hpp"
+
+namespace surefoot::tests {
+namespace {
+
+dvec3 mirrored(const dvec3& v, const dvec3& normal) {
+    return v - normal * (2 * (v.x * normal.x + v.y * normal.y + v.z * normal.z));
+}
+constexpr auto bounce = [](const MetOnTheWay& met) {
+    return OwnMotion{mirrored(met.left.way, met.normal), mirrored(met.left.velocity, met.normal)};
+};
+constexpr auto drift = [](const OwnTick& tick) { return OwnMotion{tick.velocity * tick.dt, tick.velocity}; };
+constexpr auto stick = [](const MetOnTheWay&) { return OwnMotion{}; };
+
+struct OwnActor {
+    CharacterSettings settings{};
+    CharacterState state{};
+    std::uint32_t events = 0;
+
+    void run(const World& world, int ticks, const CharacterInput& input, const CharacterHooks& hooks) {
+        for (int i = 0; i < ticks; ++i) {
+            const StepResult result = step(world, settings, input, 1.0 / 60, state, {}, nullptr, hooks);
+            state = result.state;
+            events |= result.events.set;
+        }
+    }
+    [[nodiscard]] bool did(CharacterEvent event) const { return (events & static_cast<std::uint32_t>(event)) != 0; }
+};
+
+World room() {
+    Scene scene;
+    scene.block({-4, -1, -4}, {4, 0, 4}).block({-4, 4, -4}, {4, 5, 4});
+    scene.block({-5, -1, -5}, {-4, 5, 5}).block({4, -1, -5}, {5, 5, 5});
+    return scene.block({-5, -1, -5}, {5, 5, -4}).block({-5, -1, 4}, {5, 5, 5}).world();
+}
+
+TEST(MovementOwn, ABallInARoomBouncesForTenSecondsAndKeepsItsSpeed) {
+    const World world = room();
+    OwnActor ball;
+    ball.settings.volume = Sphere{0.3};
+    ball.state.position = {0, 2, 0};
+    ball.state.velocity = {5, 3, 2};
+    const CharacterInput input{.mode = CharacterMode::own};
+    int turns = 0;
+    dvec3 before = ball.state.velocity;
+    for (int i = 0; i < 600; ++i) {
+        ball.run(world, 1, input, {.respond = bounce, .move = drift});
+        const dvec3& v = ball.state.velocity;
+        if (!(v == before)) ++turns;
+        before = v;
+        ASSERT_NEAR(v.x * v.x + v.y * v.y + v.z * v.z, 38, 1e-9) << "after " << i << " ticks";
+        ASSERT_LT(std::abs(ball.state.position.x), 3.7 + 1e-9);
+        ASSERT_LT(std::abs(ball.state.position.z), 3.7 + 1e-9);
+        ASSERT_GT(ball.state.position.y, 0.3);
+    }
+    EXPECT_GT(turns, 15) << "without a rule of its own it would have slid into a corner";
+
+    OwnActor slides;
+    slides.settings = ball.settings;
+    slides.state.position = {0, 2, 0};
+    slides.state.velocity = {5, 3, 2};
+    slides.run(world, 600, input, {.move = drift});
+    EXPECT_EQ(slides.state.velocity, dvec3(0, 0, 0)) << "this is what the rule changes";
+}
+
+TEST(MovementOwn, WhatSticksStaysWhereItTouched) {
+    const World world = room();
+    OwnActor dart;
+    dart.settings.volume = Sphere{0.3};
+    dart.state.position = {0, 2, 0};
+    dart.state.velocity = {5, 1, 2};
+    dart.run(world, 120, {.mode = CharacterMode::own}, {.respond = stick, .move = drift});
+    EXPECT_EQ(dart.state.velocity, dvec3(0, 0, 0));
+    EXPECT_NEAR(dart.state.position.x, 3.7 - dart.settings.skin, 1e-6);
+    EXPECT_NEAR(dart.state.position.z, 2.0 * dart.state.position.x / 5, 1e-6) << "on its line";
+}
+
+TEST(MovementOwn, OnFootAWallOfGlueHoldsWhoeverWouldSlideAlongIt) {
+    const World world = Scene().floor(-5, 5, -5, 5).block({2, -1, -5}, {3, 3, 5}).world();
+    const CharacterInput along{.wish = {3, 0, 3}};
+    OwnActor free;
+    OwnActor held;
+    free.state.position = held.state.position = {0, 1, 0};
+    free.run(world, 90, along, {});
+    bool on_foot = false;
+    const auto glue = [&](const MetOnTheWay& met) {
+        on_foot = on_foot || met.on_foot;
+        return OwnMotion{};
+    };
+    held.run(world, 90, along, {.respond = glue});
+    EXPECT_TRUE(on_foot);
+    EXPECT_GT(free.state.position.z, 3);
+    EXPECT_LT(held.state.position.z, 2);
+    EXPECT_EQ(held.state.footing, Footing::ground);
+}
+
+TEST(MovementOwn, AModeOfOnesOwnWithoutItsRuleIsInvalidAndChangesNothing) {
+    const World world = room();
+    OwnActor actor;
+    actor.state.position = {0, 2, 0};
+    const CharacterState before = actor.state;
+    actor.run(world, 1, {.mode = CharacterMode::own}, {});
+    EXPECT_TRUE(actor.did(CharacterEvent::invalid));
+    EXPECT_EQ(actor.state, before);
+}
+
+TEST(MovementOwn, AnAnswerThatIsNoNumberStandsStill) {
+    const World world = room();
+    OwnActor actor;
+    actor.state.position = {0, 2, 0};
+    const auto nonsense = [](const OwnTick&) {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        return OwnMotion{{none, 0, 0}, {0, none, 0}};
+    };
+    actor.run(world, 10, {.mode = CharacterMode::own}, {.move = nonsense});
+    EXPECT_EQ(actor.state.position, dvec3(0, 2, 0));
+    EXPECT_EQ(actor.state.velocity, dvec3(0, 0, 0));
+}
+
+// The lowest that the feet come to, walking off a floor's edge on to one 0.3 m lower, before the axis is 0.15 m past
+// it.
+double dip(bool flat) {
+    const World world = Scene().floor(-5, 0, -5, 5).floor(0, 5, -5, 5, -0.3).world();
+    Actor actor;
+    actor.settings.flat_foot = flat;
+    actor.state.position = {-2, 1, 0};
+    actor.run(world, 1);
+    const double level = actor.state.position.y;
+    double lowest = 0;
+    for (int i = 0; i < 240 && actor.state.position.x < 0.14; ++i) {
+        actor.tick(world, {.wish = {1, 0, 0}});
+        if (actor.state.position.x < 0.15) lowest = std::min(lowest, actor.state.position.y - level);
+    }
+    EXPECT_FALSE(actor.did(CharacterEvent::left_ground));
+    for (int i = 0; i < 120; ++i) actor.tick(world, {.wish = {1, 0, 0}});
+    EXPECT_NEAR(actor.state.position.y, level - 0.3, 1e-3) << "and then it is down";
+    return -lowest;
+}
+
+TEST(MovementOwn, FlatFeetKeepTheFloorsHeightBesideItsEdgeWhereAnEllipsoidDips) {
+    EXPECT_GT(dip(false), 0.04);
+    EXPECT_LT(dip(true), 1e-3);
+}
+
+TEST(MovementOwn, FlatFeetStandStillBesideAnEdgeBitForBit) {
+    const World world = Scene().floor(-5, 0, -5, 5).world();
+    Actor actor;
+    actor.settings.flat_foot = true;
+    actor.state.position = {-1, 1, 0};
+    actor.run(world, 1);
+    for (int i = 0; i < 240 && actor.state.position.x < 0.1; ++i) actor.tick(world, {.wish = {1, 0, 0}});
+    actor.run(world, 0.5);
+    const dvec3 place = actor.state.position;
+    EXPECT_GT(place.x, 0.05);
+    actor.run(world, 2);
+    EXPECT_EQ(actor.state.position, place);
+    EXPECT_TRUE(actor.on_ground());
+}
+
+}  // namespace
+}  // namespace surefoot::tests
