@@ -90,9 +90,13 @@ void draw_one(Renderer& renderer, const StepRecord& record, const StepLook& look
               bool has_plane) {
     const Colour colour = colour_of(record.act);
     switch (part_of(record.act)) {
-        case StepPart::way:
-            arrow(renderer, record.position + look.middle, record.position + look.middle + record.motion, colour, loud);
+        case StepPart::way: {
+            const auto stretched = [&](const dvec3& p) {
+                return look.from + (p - look.from) * look.stretch + look.middle;
+            };
+            arrow(renderer, stretched(record.position), stretched(record.position + record.motion), colour, loud);
             break;
+        }
         case StepPart::contact:
             normal(renderer, record, 0.8 * look.size, colour, loud);
             if (has_plane && is_obeyed(record.act)) plane(renderer, record, look.size, colour, loud);

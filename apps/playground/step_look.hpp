@@ -27,6 +27,8 @@ struct StepLook {
     dvec3 middle{0, 0, 0};  ///< from the reference point to where ways are drawn [m]
     dvec3 up{0, 1, 0};      ///< of the step, unit
     double size = 0.9;      ///< of normals; planes are as wide to either side [m]
+    dvec3 from{0, 0, 0};    ///< about this place ...
+    double stretch = 1;     ///< ... ways are drawn so many times as long: those of one tick are short
     bool ways = true;
     bool contacts = true;  ///< points and normals
     bool planes = true;    ///< that were obeyed, as pieces of themselves

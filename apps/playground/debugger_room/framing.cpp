@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <utility>
 
 #include "view/widgets.hpp"
 
@@ -29,6 +28,18 @@ void Framing::show(std::vector<dvec3> places, const view::ivec2& size) {
     kept_ = std::move(places);
     part_ = free_part(size);
     orbit_->frame(kept_, part_, size);
+}
+
+view::OrbitCamera::Stand Framing::depart() {
+    if (!before_) before_.emplace(orbit_->goal(), kept_);
+    return before_->first;
+}
+
+void Framing::come_back() {
+    if (!before_) return;
+    orbit_->go_to(before_->first);
+    keep(std::move(before_->second));
+    before_.reset();
 }
 
 void Framing::update(const view::ivec2& size) {

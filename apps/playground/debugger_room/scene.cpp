@@ -133,8 +133,9 @@ void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
         if (look.labels) name(renderer, volume, way.to, "END", paint::end, Side::below);
     }
     const dvec3 stop = hit ? asked.place_at(hit->t) : way.to;
-    const dvec3& rest = asked.result().position;
-    const bool slides = hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
+    const dvec3& rest = asked.result();
+    const bool slides =
+        asked.saved_step() ? rest != way.from : hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
     if (look.hit && hit) {
         renderer.shape(volume, stop, {.colour = paint::hit, .opacity = 0.46, .outline = 2.4});
         if (look.labels) name(renderer, volume, stop, fmt::format("HIT  t = {:.4f}", hit->t), paint::hit, Side::above);
@@ -204,7 +205,7 @@ std::vector<dvec3> places_of(const Investigation& asked) {
         for (dvec3& place : places) place = middle + (place - middle) * wider;
         return places;
     }
-    if (asked.touches()) append_corners(places, debugger::bounds_of(volume, asked.result().position));
+    if (asked.touches() || asked.saved_step()) append_corners(places, debugger::bounds_of(volume, asked.result()));
     constexpr std::size_t few = 64;
     if (question.triangles.size() <= few)
         for (const Triangle& triangle : question.triangles)

@@ -1,0 +1,33 @@
+/// The lines of a step's story in words, for a list: what was tried, met or decided, and by which number.
+#pragma once
+
+#include <string>
+
+#include <surefoot/character.hpp>
+#include <surefoot/character_trace.hpp>
+
+namespace surefoot::debugger {
+
+/// In a few words: "touch: an edge of triangle 4, after 42 %".
+[[nodiscard]] std::string title_of(const StepRecord& record);
+
+/// A sentence or two: what it means, and why it was decided so. "The touch lies on an inner edge: the plane of the face
+/// that covers it takes the place of its own."
+[[nodiscard]] std::string meaning_of(const StepRecord& record);
+
+/// Its places and numbers, a line each.
+[[nodiscard]] std::string numbers_of(const StepRecord& record);
+
+/// Does it begin something of which the lines after it are part? A pass, a look for a step, a wish.
+[[nodiscard]] bool heads(StepAct act);
+
+/// Is it about a triangle?
+[[nodiscard]] bool names_triangle(const StepRecord& record);
+
+/// "blocked, stepped up"; "none".
+[[nodiscard]] std::string events_text(const CharacterEvents& events);
+
+/// "on ground".
+[[nodiscard]] std::string footing_text(Footing footing);
+
+}  // namespace surefoot::debugger
