@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "debugger/equation.hpp"
 #include "debugger/saved_step.hpp"
 #include "debugger/step_words.hpp"
-#include "text.hpp"
 
 namespace surefoot::debugger {
 
@@ -46,11 +46,11 @@ std::string away(const MadeStep& then, const MadeStep& now) {
     const dvec3 up = glm::normalize(then.order.input.up);
     const double higher = glm::dot(moved, up);
     const dvec3 wish = then.order.input.wish - up * glm::dot(then.order.input.wish, up);
-    std::string text = fmt::format("It ends {} m from there", tools::short_number(far));
+    std::string text = fmt::format("It ends {} m from there", short_text(far));
     std::string parts;
     const auto add = [&](double size, const char* positive, const char* negative) {
         if (std::abs(size) < 1e-3 * far) return;
-        parts += fmt::format("{}{} m {}", parts.empty() ? "" : ", ", tools::short_number(std::abs(size)),
+        parts += fmt::format("{}{} m {}", parts.empty() ? "" : ", ", short_text(std::abs(size)),
                              size > 0 ? positive : negative);
     };
     if (glm::length(wish) > 0)
@@ -59,19 +59,43 @@ std::string away(const MadeStep& then, const MadeStep& now) {
     return text + (parts.empty() ? "." : ": " + parts + ".");
 }
 
-std::string parting(const MadeStep& then, const MadeStep& now) {
-    const std::size_t shared = std::min(then.records.size(), now.records.size());
-    for (std::size_t i = 0; i < shared; ++i) {
-        if (same_bits(then.records[i], now.records[i])) continue;
-        const std::string before = title_of(then.records[i]);
-        const std::string after = title_of(now.records[i]);
-        if (before == after) return fmt::format("The stories part at line {}: \"{}\", by other numbers.", i + 1, after);
-        return fmt::format("The stories part at line {}: \"{}\" then, \"{}\" now.", i + 1, before, after);
+/// Is it of one kind and about one thing, whatever the numbers?
+bool tell_the_same(const StepRecord& a, const StepRecord& b) {
+    return a.act == b.act && a.rule == b.rule && a.triangle == b.triangle && a.body == b.body;
+}
+
+/// The lines in which something is decided about the step itself, and not about a look for a step.
+std::vector<std::size_t> decisions(const std::vector<StepRecord>& records) {
+    std::vector<std::size_t> lines;
+    bool in_look = false;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const StepAct act = records[i].act;
+        if (act == StepAct::step_refused || act == StepAct::stepped_up) in_look = false;
+        const bool is_detail = act == StepAct::wants || act == StepAct::pass || act == StepAct::touch ||
+                               act == StepAct::passed_over || act == StepAct::step_tried;
+        if (!in_look && !is_detail) lines.push_back(i);
+        if (act == StepAct::step_tried) in_look = true;
     }
-    if (then.records.size() == now.records.size()) return {};
-    const bool longer = now.records.size() > shared;
-    return fmt::format("The stories part after line {}: \"{}\" comes {}.", shared,
-                       title_of(longer ? now.records[shared] : then.records[shared]), longer ? "now" : "no more");
+    return lines;
+}
+
+/// Where something else is decided; where nothing is, the first line with another number.
+std::string parting(const std::vector<StepRecord>& then, const std::vector<StepRecord>& now) {
+    const std::vector<std::size_t> before = decisions(then);
+    const std::vector<std::size_t> after = decisions(now);
+    const std::size_t shared = std::min(before.size(), after.size());
+    std::size_t i = 0;
+    while (i < shared && tell_the_same(then[before[i]], now[after[i]])) ++i;
+    if (i < shared)
+        return fmt::format("The stories part at line {}: \"{}\" then, \"{}\" now.", before[i] + 1,
+                           title_of(then[before[i]]), title_of(now[after[i]]));
+    if (i < after.size()) return fmt::format("Its story goes on: \"{}\".", title_of(now[after[i]]));
+    if (i < before.size()) return fmt::format("Its story ends before \"{}\".", title_of(then[before[i]]));
+    const std::size_t lines = std::min(then.size(), now.size());
+    std::size_t line = 0;
+    while (line < lines && same_bits(then[line], now[line])) ++line;
+    if (line == then.size() && line == now.size()) return {};
+    return fmt::format("The same is decided; numbers differ from line {} on.", line + 1);
 }
 
 }  // namespace
@@ -162,7 +186,7 @@ std::string StepStudy::difference() const {
 std::string difference_text(const MadeStep& then, const MadeStep& now) {
     const CharacterState& a = then.result.state;
     const CharacterState& b = now.result.state;
-    const std::string parts = parting(then, now);
+    const std::string parts = parting(then.records, now.records);
     if (parts.empty() && a == b && then.result.events.set == now.result.events.set) return "The same, to the last bit.";
     std::string text = away(then, now);
     if (a.footing != b.footing)

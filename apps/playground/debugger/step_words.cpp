@@ -12,8 +12,12 @@ namespace surefoot::debugger {
 
 namespace {
 
-using tools::short_number;
 using tools::short_vector;
+
+/// Four digits, no more than a list has room for.
+std::string short_number(double value) {
+    return fmt::format("{:.4g}", value);
+}
 
 std::string metres(double length) {
     return short_number(length) + " m";
@@ -220,9 +224,23 @@ std::string numbers_of(const StepRecord& record) {
     return text;
 }
 
-bool heads(StepAct act) {
-    return act == StepAct::wants || act == StepAct::pass || act == StepAct::step_tried || act == StepAct::carried ||
-           act == StepAct::ground || act == StepAct::no_ground || act == StepAct::recovered;
+std::vector<int> depths_of(std::span<const StepRecord> records) {
+    std::vector<int> depths;
+    bool in_look = false;
+    bool in_pass = false;
+    for (const StepRecord& record : records) {
+        const bool is_met = record.act == StepAct::touch || record.act == StepAct::obeyed ||
+                            record.act == StepAct::passed_over || record.act == StepAct::seam ||
+                            record.act == StepAct::wall || record.act == StepAct::gave_up_rising ||
+                            record.act == StepAct::met_neighbour;
+        if (record.act == StepAct::pass) in_pass = true;
+        if (record.act != StepAct::pass && !is_met) in_pass = false;
+        const bool goes = record.act == StepAct::pass || record.act == StepAct::rested;
+        depths.push_back((in_look && (goes || is_met) ? 1 : 0) + (in_pass && is_met ? 1 : 0));
+        if (record.act == StepAct::step_tried) in_look = true;
+        if (record.act == StepAct::step_refused || record.act == StepAct::stepped_up) in_look = false;
+    }
+    return depths;
 }
 
 bool names_triangle(const StepRecord& record) {

@@ -1,7 +1,9 @@
 /// The lines of a step's story in words, for a list: what was tried, met or decided, and by which number.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include <surefoot/character.hpp>
 #include <surefoot/character_trace.hpp>
@@ -18,8 +20,8 @@ namespace surefoot::debugger {
 /// Its places and numbers, a line each.
 [[nodiscard]] std::string numbers_of(const StepRecord& record);
 
-/// Does it begin something of which the lines after it are part? A pass, a look for a step, a wish.
-[[nodiscard]] bool heads(StepAct act);
+/// How deep each line lies within what was begun before it: a touch in its pass, a pass in the look for a step.
+[[nodiscard]] std::vector<int> depths_of(std::span<const StepRecord> records);
 
 /// Is it about a triangle?
 [[nodiscard]] bool names_triangle(const StepRecord& record);

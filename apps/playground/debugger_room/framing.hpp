@@ -26,6 +26,9 @@ public:
     /// Back to there, and to what was kept seen; nothing if it never went.
     void come_back();
 
+    /// From behind what goes this way, and a little beside it; from where it is, if that is straight up or down.
+    void look_along(const dvec3& way);
+
     /// Looks at what the panels of the last frame left free; once a tick.
     void update(const view::ivec2& size);
 

@@ -124,6 +124,7 @@ void Debugger::show(const debugger::SavedStep& step) {
     hands_.deselect();
     bar_.show(step_panel_name, inquiry());
     panel_opened();
+    framing_.look_along(step.capture.input.wish);
     frame();
     stage_->toasts.say(debugger::verdict_text(step));
 }

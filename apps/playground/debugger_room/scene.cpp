@@ -74,18 +74,21 @@ void draw_rest(Renderer& renderer, const dvec3& from, const dvec3& to) {
                       {.colour = view::with_opacity(paint::end, 0.6), .width = 1.5, .behind = 0.2});
 }
 
-void name_triangles(Renderer& renderer, const Question& question) {
+/// By their corners if there is one, else by their numbers; of a saved step those that its sentences name.
+void name_triangles(Renderer& renderer, const Investigation& asked) {
+    const Question& question = asked.question();
+    const auto& saved = asked.saved_step();
     constexpr std::size_t most_named = 12;
     const auto say = [&](const dvec3& place, std::string text, const dvec2& offset) {
         renderer.label({.place = place, .text = std::move(text), .offset = offset, .behind = 0.5, .yields = true});
     };
-    if (question.triangles.size() == 1) {
+    if (question.triangles.size() == 1 && !saved) {
         const char* names[] = {"a", "b", "c"};
         for (std::size_t i = 0; i < 3; ++i) say(debugger::corners_of(question.triangles[0])[i], names[i], dvec2(0, 17));
     } else if (question.triangles.size() <= most_named) {
         for (std::size_t i = 0; i < question.triangles.size(); ++i) {
             const Triangle& t = question.triangles[i];
-            say((t.a + t.b + t.c) / 3.0, std::to_string(i), dvec2(0, 0));
+            say((t.a + t.b + t.c) / 3.0, std::to_string(saved ? saved->capture.triangles[i].id : i), dvec2(0, 0));
         }
     }
 }
@@ -113,7 +116,7 @@ void Scene::draw_world(Renderer& renderer, const Investigation& asked) {
 void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
     draw_world(renderer, asked);
     const Question& question = asked.question();
-    if (look.labels) name_triangles(renderer, question);
+    if (look.labels) name_triangles(renderer, asked);
     const Volume volume = question.volume();
     const Motion& way = question.motion;
     const dvec3 middle = gizmo_middle({.kind = Target::Kind::start}, question) - way.from;

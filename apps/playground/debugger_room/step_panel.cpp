@@ -65,7 +65,8 @@ private:
 
     Stage* stage_ = nullptr;
     std::optional<StepStudy> study_;
-    std::size_t line_ = 0;  // of the story, that is looked at
+    std::vector<int> depths_;  // of the story's lines
+    std::size_t line_ = 0;     // of the story, that is looked at
     bool shows_all_ = true;
     StepLook look_;
 };
@@ -78,6 +79,7 @@ void StepPanel::changed(const Inquiry& inquiry) {
         study_.emplace(inquiry.arena, *inquiry.step);
     if (!study_) return;
     const debugger::MadeStep& step = study_->recorded();
+    depths_ = debugger::depths_of(step.records);
     line_ = decisive();
     if (!is_valid(step.order.settings)) return;
     const Neighbour body = body_of(step, step.order.before);
@@ -143,11 +145,10 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
             ui::key_colour(paint::end, "Made again: the same, to the last bit.");
         else
             ui::key_colour(paint::start, debugger::verdict_text(saved));
-        ui::note(fmt::format("A tick of {} ms, {}, at {} m/s; it wishes for {} m/s{}. {}",
-                             tools::short_number(1e3 * step.order.dt), debugger::footing_text(before.footing),
-                             tools::short_number(glm::length(before.velocity)),
-                             tools::short_number(glm::length(step.order.input.wish)),
-                             step.order.input.jump ? ", and jump is held" : "", saved.remark));
+        ui::note(fmt::format("A tick of {:.4g} ms, {}, at {:.3g} m/s; it wishes for {:.3g} m/s{}. {}",
+                             1e3 * step.order.dt, debugger::footing_text(before.footing), glm::length(before.velocity),
+                             glm::length(step.order.input.wish), step.order.input.jump ? ", and jump is held" : "",
+                             saved.remark));
     } else {
         ui::heading("RESULT, as one step");
         ui::note(
@@ -173,6 +174,12 @@ void StepPanel::story_ui() {
     ImGui::SameLine();
     if (ui::button(">##line", 30) && line_ < last) ++line_;
     ui::item("Next line");
+    ImGui::SameLine();
+    if (ui::button("Copy this step")) {
+        stage_->display.set_clipboard(capture_text(study_->capture()));
+        stage_->toasts.say("The step is in the clipboard, as the file that `surefoot replay` reads.");
+    }
+    ui::hint("With its settings and the triangles near it: paste it here again, or into a file.");
     ui::at_right(fmt::format("{} of {}", line_ + 1, last + 1));
     double line = double(line_) + 1;
     if (last > 0 && ui::slider("Line", line, 1, double(last) + 1, "%.0f"))
@@ -183,8 +190,7 @@ void StepPanel::story_ui() {
         std::min(line_ > rows / 2 ? line_ - rows / 2 : 0, records().size() > rows ? records().size() - rows : 0);
     for (std::size_t i = first; i < std::min(first + rows, records().size()); ++i) {
         const StepRecord& record = records()[i];
-        const std::string title =
-            fmt::format("{:>3} {}{}", i + 1, debugger::heads(record.act) ? "" : "    ", debugger::title_of(record));
+        const std::string title = fmt::format("{:>3} {:{}}{}", i + 1, "", 4 * depths_[i], debugger::title_of(record));
         ImGui::PushStyleColor(ImGuiCol_Text, view::to_imgui(view::mixed(colour_of(record.act), paint::paper, 0.35)));
         if (ui::row(title.c_str(), i == line_)) line_ = i;
         ImGui::PopStyleColor();
@@ -203,6 +209,10 @@ void StepPanel::settings_ui() {
         if (ui::slider(dial.label, value, dial.low, dial.high, dial.format, dial.logarithmic)) study_->set(dial, value);
         ui::hint(dial.hint);
     };
+    if (!study_->is_edited())
+        ui::note("Turn one: the step is made again at once.");
+    else if (ui::button("As they were"))
+        study_->reset();
     constexpr std::size_t usual = 6;
     for (const debugger::Dial& dial : debugger::dials().first(usual)) turn(dial);
     if (ui::section("More settings", false)) {
@@ -214,14 +224,10 @@ void StepPanel::settings_ui() {
         if (ui::checkbox("Stops at what it meets", stops))
             study_->set_response(stops ? Response::stop : Response::slide);
     }
-    if (!study_->is_edited()) {
-        ui::note("Turn a setting: the step is made again at once, and drawn beside the one that is recorded.");
-        return;
-    }
+    if (!study_->is_edited()) return;
     ui::key_colour(ghost, "With these settings:");
     wrapped(study_->difference());
     for (const StepSentence& sentence : study_->why_again()) wrapped("- " + sentence.text);
-    if (ui::button("As they were")) study_->reset();
 }
 
 void StepPanel::look_ui() {
@@ -229,11 +235,6 @@ void StepPanel::look_ui() {
     ImGui::SameLine(ImGui::GetFontSize() * 11);
     ui::checkbox("Planes", look_.planes);
     ui::slider("Stretch", look_.stretch, 1, 100, "ways drawn %.0f times as long", true);
-    if (ui::button("Copy this step")) {
-        stage_->display.set_clipboard(capture_text(study_->capture()));
-        stage_->toasts.say("The step is in the clipboard, as the file that `surefoot replay` reads.");
-    }
-    ui::hint("With its settings and the triangles near it: paste it here again, or into a file.");
 }
 
 void StepPanel::ui(Inquiry& inquiry) {
