@@ -121,6 +121,7 @@ void Debugger::open_file(const std::string& path) {
 /// A saved step, and what is to be told of it.
 void Debugger::show(const debugger::SavedStep& step) {
     asked_.show(step);
+    inquiry_.t = 1;
     hands_.deselect();
     bar_.show(step_panel_name, inquiry());
     panel_opened();

@@ -107,6 +107,14 @@ TEST(SideBySide, climbs_what_is_a_centimetre_lower_than_its_step_height_and_not_
     }
 }
 
+TEST(SideBySide, stays_below_stairs_a_centimetre_too_high_however_round_it_is) {
+    for (const Contestant& contestant : contestants()) {
+        const StairsReading reading = read_stairs(contestant.shape, {.rise = step_up + margin});
+        EXPECT_LT(reading.climbed, 0.15) << contestant.name;
+        EXPECT_LT(reading.reached, 0) << contestant.name;
+    }
+}
+
 TEST(SideBySide, lets_each_body_sink_over_a_ledge_where_geometry_says) {
     // How far it goes on at this speed while it falls as far as it has to have sunk.
     const double speed = 0.25;
