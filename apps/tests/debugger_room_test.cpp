@@ -166,7 +166,7 @@ TEST(DebuggerRoom, all_of_a_question_is_seen_beside_the_panels_in_large_windows_
         std::vector<dvec3> places{question.motion.from, question.motion.to};
         for (const Triangle& t : question.triangles) places.insert(places.end(), {t.a, t.b, t.c});
         expect_beside_the_panels(house, places, "no panel");
-        for (const std::string panel : {"Mathematics", "Strategies", "Search"}) {
+        for (const std::string panel : {"Mathematics", "Strategies", "A step", "Search"}) {
             house.play("click \"" + panel + "\"\nwait 90");
             expect_beside_the_panels(house, places, panel);
             const view::dvec2 free = view::ui::uncovered(size).size();

@@ -2,6 +2,7 @@
 #include "playground/debugger_room/investigation.hpp"
 
 #include <array>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>
@@ -101,6 +102,36 @@ TEST(Investigation, a_small_level_is_asked_whole_while_it_is_dragged) {
     drop_onto_it(asked);
     EXPECT_FALSE(asked.search_waits());
     EXPECT_TRUE(asked.by_tree());
+}
+
+TEST(Investigation, result_is_where_step_leaves_the_shape_whatever_is_edited) {
+    Investigation asked;
+    const auto expect_the_step = [&](const World& world) {
+        const dvec3 way = asked.question().motion.to - asked.question().motion.from;
+        CharacterSettings settings;
+        settings.volume = asked.question().volume();
+        settings.longest_tick = 1;
+        CharacterState state;
+        state.position = asked.question().motion.from;
+        state.velocity = way;
+        const StepResult by_hand = surefoot::step(world, settings, {.wish = way, .mode = CharacterMode::fly}, 1, state);
+        EXPECT_EQ(hash(asked.step().result.state), hash(by_hand.state));
+        EXPECT_EQ(std::memcmp(&asked.result(), &by_hand.state.position, sizeof(dvec3)), 0);
+        EXPECT_NE(asked.result(), asked.place_at(asked.hit()->t)) << "it slides on";
+        EXPECT_FALSE(asked.step().records.empty());
+    };
+    expect_the_step(asked.arena().world());
+    asked.apply(debugger::MoveEnd{{5, -3, 6}});
+    expect_the_step(asked.arena().world());
+    asked.undo();
+    expect_the_step(asked.arena().world());
+    const auto level = wide_floor(8);
+    asked.show(level);
+    asked.apply(debugger::MoveStart{{1, 8, 2}});
+    asked.apply(debugger::MoveEnd{{4, -8, 2}});
+    World world;
+    ASSERT_TRUE(world.add(level->level.mesh));
+    expect_the_step(world);
 }
 
 }  // namespace

@@ -49,13 +49,13 @@ TEST(Contest, stepped_back_is_where_it_was_stepped_to) {
 TEST(Contest, plays_to_the_end_stops_there_and_begins_again_when_played_again) {
     Contest contest;
     contest.choose(Course::stairs);
-    ASSERT_EQ(contest.last_tick(), 300);
+    ASSERT_EQ(contest.last_tick(), 240);
     EXPECT_FALSE(contest.update()) << "nobody said play";
     contest.play();
     int ticks = 0;
     while (contest.update()) ++ticks;
-    EXPECT_EQ(ticks, 300);
-    EXPECT_EQ(contest.tick(), 300);
+    EXPECT_EQ(ticks, 240);
+    EXPECT_EQ(contest.tick(), 240);
     EXPECT_FALSE(contest.plays());
     contest.play();
     EXPECT_EQ(contest.tick(), 0);
@@ -78,20 +78,17 @@ TEST(Contest, played_is_where_it_is_stepped_to) {
         EXPECT_TRUE(same_bits(played.position(i), stepped.position(i))) << i;
 }
 
-TEST(Contest, on_the_stairs_box_and_cylinder_stay_below_and_the_round_ones_climb_them_all) {
+TEST(Contest, on_the_stairs_all_climb_but_the_cone_that_has_no_foot) {
     Contest contest;
     contest.choose(Course::stairs);
     contest.go_to(contest.last_tick());
     for (std::size_t i = 0; i < Contest::count; ++i) {
         const std::string& name = contest.contestant(i).name;
-        const bool broad = name == "box" || name == "cylinder";
-        const bool round = name == "ellipsoid" || name == "capsule";
-        EXPECT_EQ(contest.climbed(i) < 0.01, broad) << name;
-        EXPECT_EQ(contest.climbed(i) > 1.59, round) << name;
-        EXPECT_EQ(contest.footprints(i).size(), 301U);
+        EXPECT_EQ(contest.climbed(i) > 1.6, name != "cone") << name;
+        EXPECT_EQ(contest.footprints(i).size(), 241U);
     }
     contest.restart();
-    for (std::size_t i = 0; i < Contest::count; ++i) EXPECT_LT(contest.climbed(i), 0.01) << "nobody has climbed yet";
+    for (std::size_t i = 0; i < Contest::count; ++i) EXPECT_LT(contest.climbed(i), 0.02) << "nobody has climbed yet";
 }
 
 TEST(Contest, shows_each_at_the_first_tick_at_which_it_has_sunk) {
@@ -106,8 +103,10 @@ TEST(Contest, shows_each_at_the_first_tick_at_which_it_has_sunk) {
             EXPECT_EQ(contest.position(i).x, *contest.ledge(i).overhang);
             EXPECT_GT(contest.footprints(i)[static_cast<std::size_t>(contest.tick_of(i) - 1)].y, -Contest::sink);
         }
-        // At 4 m/s a tick is 7 cm long, and two may fall into one.
-        EXPECT_LE(contest.tick_of(2), contest.tick_of(3)) << "a cone lets go before an ellipsoid";
+        // At 4 m/s what follows the edge down goes faster than what falls freely.
+        if (speed <= 1) {
+            EXPECT_LT(contest.tick_of(2), contest.tick_of(3)) << "a cone lets go before an ellipsoid";
+        }
         EXPECT_LT(contest.tick_of(3), contest.tick_of(0)) << "an ellipsoid before a box";
         contest.step();
         EXPECT_FALSE(contest.shows_sunk()) << "the clock is everybody's again";
@@ -117,7 +116,7 @@ TEST(Contest, shows_each_at_the_first_tick_at_which_it_has_sunk) {
 TEST(Contest, with_another_speed_is_at_a_tick_that_there_is) {
     Contest contest;
     contest.choose(Course::stairs);
-    contest.go_to(300);
+    contest.go_to(240);
     contest.set_speed(4);
     EXPECT_EQ(contest.tick(), contest.last_tick());
     contest.set_speed(1e300);

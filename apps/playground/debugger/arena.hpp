@@ -1,12 +1,14 @@
 /// What a question is asked of: a few triangles as they are typed, in doubles, or the mesh of a level.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <surefoot/bounds.hpp>
 #include <surefoot/mesh.hpp>
+#include <surefoot/world.hpp>
 
 #include "debugger/question.hpp"
 
@@ -14,8 +16,8 @@ namespace surefoot::debugger {
 
 class Arena {
 public:
-    explicit Arena(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {}
-    explicit Arena(Mesh mesh) : mesh_(std::move(mesh)) {}
+    explicit Arena(std::vector<Triangle> triangles);
+    explicit Arena(Mesh mesh);
 
     /// The first touch; of several at one time, that of the lowest triangle.
     [[nodiscard]] std::optional<Hit> sweep(const Volume& volume, const Motion& motion, bool one_sided = false) const;
@@ -29,10 +31,15 @@ public:
     [[nodiscard]] std::vector<Triangle> along(const Volume& volume, const Motion& motion) const;
     /// The level, or null for a few triangles.
     [[nodiscard]] const Mesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+    /// The same as a world, for `step`: one body, 0, that stands. There is none in it while corners are no numbers.
+    [[nodiscard]] const World& world() const;
 
 private:
+    struct Stage;  // does not move when this is copied, for the world refers to it
+
     std::vector<Triangle> triangles_;
     std::optional<Mesh> mesh_;
+    std::shared_ptr<const Stage> stage_;
 };
 
 }  // namespace surefoot::debugger

@@ -17,8 +17,10 @@ void add_strip(std::vector<Triangle>& triangles, const dvec3& a, const dvec3& b,
     triangles.push_back({a + near, b - near, a - near});
 }
 
-dvec3 upright_at(const Shape& shape, double x, double foot) {
-    return {x, foot - foot_of(shape), 0};
+CharacterState upright_at(const Shape& shape, double x, double foot) {
+    CharacterState state;
+    state.position = {x, foot - foot_of(shape), 0};
+    return state;
 }
 
 struct StandOff {
@@ -77,6 +79,20 @@ double foot_of(const Shape& shape) {
     return std::visit(Foot{}, shape);
 }
 
+CharacterSettings walker(const Shape& shape) {
+    CharacterSettings settings;
+    settings.volume = shape;
+    return settings;
+}
+
+std::vector<CharacterState> track(const World& world, const CharacterSettings& settings, const CharacterState& start,
+                                  const dvec3& wish, int ticks) {
+    std::vector<CharacterState> places{start};
+    for (int i = 0; i < ticks; ++i)
+        places.push_back(step(world, settings, {.wish = wish}, contest_tick, places.back()).state);
+    return places;
+}
+
 std::vector<Triangle> slope(double angle) {
     std::vector<Triangle> triangles;
     const dvec3 far(40 * std::cos(angle), 40 * std::sin(angle), 0);
@@ -88,13 +104,15 @@ double stand_off(const Shape& shape, double angle) {
     return std::visit(StandOff{std::tan(angle), std::cos(angle)}, shape);
 }
 
-SlopeReading read_slope(const Shape& shape, double angle, int ticks, const SlideSettings& settings) {
+SlopeReading read_slope(const Shape& shape, double angle, int ticks) {
     const Arena arena(slope(angle));
-    const double above = stand_off(shape, angle) + 0.5;
-    const std::vector<Mover> places = track(arena, shape, upright_at(shape, 0, above), {0, 0, 0}, ticks, settings);
+    CharacterSettings settings = walker(shape);
+    settings.slope_limit_deg = lesson_slope_limit_deg;
+    const CharacterState above = upright_at(shape, 0, stand_off(shape, angle) + 0.5);
+    const CharacterState rests = track(arena.world(), settings, above, {0, 0, 0}, ticks).back();
     SlopeReading reading;
-    reading.landed = places.back().on_ground;
-    reading.position = places.back().position;
+    reading.landed = rests.footing == Footing::ground;
+    reading.position = rests.position;
     const dvec3 foot = reading.position + dvec3(0, foot_of(shape), 0);
     reading.gap = arena.drop(foot, 100).value_or(0);
     // Straight against the slope, as far as it goes: that is how far they are apart.
@@ -119,13 +137,13 @@ std::vector<Triangle> stairs(const Stairs& stairs) {
     return triangles;
 }
 
-StairsReading read_stairs(const Shape& shape, const Stairs& which, double speed, int ticks,
-                          const SlideSettings& settings) {
+StairsReading read_stairs(const Shape& shape, const Stairs& which, double speed, int ticks) {
+    const CharacterSettings settings = walker(shape);
+    const Arena arena(stairs(which));
     StairsReading reading;
-    reading.places =
-        track(Arena(stairs(which)), shape, upright_at(shape, -1.5, settings.skin), {speed, 0, 0}, ticks, settings);
-    for (const Mover& mover : reading.places)
-        reading.climbed = std::max(reading.climbed, mover.position.y + foot_of(shape));
+    reading.places = track(arena.world(), settings, upright_at(shape, -1.5, settings.skin), {speed, 0, 0}, ticks);
+    for (const CharacterState& state : reading.places)
+        reading.climbed = std::max(reading.climbed, state.position.y + foot_of(shape));
     reading.reached = reading.places.back().position.x;
     return reading;
 }
@@ -142,10 +160,12 @@ double overhang(const Shape& shape, double sink) {
     return std::visit(Overhang{sink}, shape);
 }
 
-LedgeReading read_ledge(const Shape& shape, double sink, double speed, int ticks, const SlideSettings& settings) {
+LedgeReading read_ledge(const Shape& shape, double sink, double speed, int ticks) {
+    const CharacterSettings settings = walker(shape);
+    const Arena arena(ledge());
     LedgeReading reading;
-    reading.places = track(Arena(ledge()), shape, upright_at(shape, -1, settings.skin), {speed, 0, 0}, ticks, settings);
-    const auto sunk = [&](const Mover& mover) { return mover.position.y + foot_of(shape) <= -sink; };
+    reading.places = track(arena.world(), settings, upright_at(shape, -1, settings.skin), {speed, 0, 0}, ticks);
+    const auto sunk = [&](const CharacterState& state) { return state.position.y + foot_of(shape) <= -sink; };
     const auto first = std::find_if(reading.places.begin(), reading.places.end(), sunk);
     if (first != reading.places.end()) reading.overhang = first->position.x;
     return reading;

@@ -1,5 +1,6 @@
-/// Five shapes of the same width and height, side by side: standing on a slope, pushed against stairs, moved over a
-/// ledge. What differs is how far each stands off what it stands on, what stops it, and when it lets go.
+/// Five bodies of the same width and height, side by side: standing on a slope, walking at stairs, walking over a
+/// ledge. They are moved by `step`. What differs is how far each stands off what it stands on, what it gets over, and
+/// when it lets go.
 #pragma once
 
 #include <array>
@@ -7,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <surefoot/character.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/shapes.hpp>
 
 #include "debugger/arena.hpp"
-#include "debugger/slide.hpp"
 
 namespace surefoot::debugger {
 
@@ -27,6 +28,16 @@ struct Contestant {
 /// The height of the lowest point under the axis, seen from the reference point: -half_height, but 0 for a cone.
 [[nodiscard]] double foot_of(const Shape& shape);
 
+/// How a contestant walks: everything as `CharacterSettings` has it by default, but for its body.
+[[nodiscard]] CharacterSettings walker(const Shape& shape);
+
+/// How long a tick of the contest is [s].
+inline constexpr double contest_tick = 1.0 / 60;
+
+/// Steps through `ticks` of them in a row with one wish; the first state is the start.
+[[nodiscard]] std::vector<CharacterState> track(const World& world, const CharacterSettings& settings,
+                                                const CharacterState& start, const dvec3& wish, int ticks);
+
 // Slope -------------------------------------------------------------------------------------------------------------
 
 /// A plane that rises towards +x by this angle [rad, 0 to below pi/2], 40 m either way.
@@ -41,16 +52,18 @@ struct Contestant {
 [[nodiscard]] double stand_off(const Shape& shape, double angle);
 
 struct SlopeReading {
-    bool landed = false;
+    bool landed = false;  ///< it stands there
     dvec3 position{0, 0, 0};
     double gap = 0;        ///< from the foot straight down to the slope [m]
     double clearance = 0;  ///< between shape and slope, along the slope's normal: the skin [m]
     double expected = 0;   ///< stand_off + clearance / cos a [m]
 };
 
-/// Lets a shape fall onto the slope and measures where it is `ticks` later.
-[[nodiscard]] SlopeReading read_slope(const Shape& shape, double angle, int ticks = 180,
-                                      const SlideSettings& settings = {});
+/// The slope limit of those who stand on slopes here, so that all of them do [degrees].
+inline constexpr double lesson_slope_limit_deg = 75;
+
+/// Lets a body fall onto the slope and measures where it is `ticks` later.
+[[nodiscard]] SlopeReading read_slope(const Shape& shape, double angle, int ticks = 180);
 
 // Stairs ------------------------------------------------------------------------------------------------------------
 
@@ -64,14 +77,14 @@ struct Stairs {
 [[nodiscard]] std::vector<Triangle> stairs(const Stairs& stairs = {});
 
 struct StairsReading {
-    std::vector<Mover> places;  ///< one a tick
-    double climbed = 0;         ///< how high the foot came above the lower floor [m]
-    double reached = 0;         ///< x of the axis in the end [m]
+    std::vector<CharacterState> places;  ///< one a tick
+    double climbed = 0;                  ///< how high the foot came above the lower floor [m]
+    double reached = 0;                  ///< x of the axis in the end [m]
 };
 
-/// Pushes a shape against the stairs.
-[[nodiscard]] StairsReading read_stairs(const Shape& shape, const Stairs& which = {}, double speed = 2, int ticks = 300,
-                                        const SlideSettings& settings = {});
+/// Lets a body walk at the stairs.
+[[nodiscard]] StairsReading read_stairs(const Shape& shape, const Stairs& which = {}, double speed = 2,
+                                        int ticks = 240);
 
 // Ledge -------------------------------------------------------------------------------------------------------------
 
@@ -84,12 +97,11 @@ struct StairsReading {
 [[nodiscard]] double overhang(const Shape& shape, double sink);
 
 struct LedgeReading {
-    std::vector<Mover> places;       ///< one a tick
-    std::optional<double> overhang;  ///< of the axis when the foot was first `sink` below the floor [m]
+    std::vector<CharacterState> places;  ///< one a tick
+    std::optional<double> overhang;      ///< of the axis when the foot was first `sink` below the floor [m]
 };
 
-/// Moves a shape over the ledge.
-[[nodiscard]] LedgeReading read_ledge(const Shape& shape, double sink = 0.05, double speed = 0.5, int ticks = 360,
-                                      const SlideSettings& settings = {});
+/// Lets a body walk over the ledge.
+[[nodiscard]] LedgeReading read_ledge(const Shape& shape, double sink = 0.05, double speed = 0.5, int ticks = 360);
 
 }  // namespace surefoot::debugger

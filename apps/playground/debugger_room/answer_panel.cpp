@@ -41,6 +41,9 @@ std::string t_of(const std::optional<Hit>& hit) {
 std::string answer_in_a_line(const Investigation& asked) {
     const auto& hit = asked.hit();
     const double length = length_of(asked.question().motion);
+    if (const auto& saved = asked.saved_step())
+        return fmt::format("A saved step: it wanted to go {:.4g} m, and went {:.4g} m.", length,
+                           glm::length(saved->capture.after.position - saved->capture.before.position));
     if (!hit) return fmt::format("No hit: the whole way of {:.4g} m is free.", length);
     if (hit->status != HitStatus::ok)
         return hit->status == HitStatus::invalid ? "Blocked at START: the question is beyond the limits (invalid)."

@@ -7,10 +7,10 @@ namespace surefoot::playground {
 
 namespace {
 
-constexpr double stairs_way = 10;      // what is wished for, all in all [m]
-constexpr double ledge_way = 1.5;      // the start is a metre before the ledge
-constexpr double ledge_fall_time = 1;  // all of the fall, and a moment to look at it [s]
-constexpr double ticks_a_second = 60;
+constexpr double stairs_way = 8;         // what is wished for, all in all [m]
+constexpr double ledge_way = 1.5;        // the start is a metre before the ledge
+constexpr double ledge_fall_time = 0.7;  // all of the fall, and a moment to look at it [s]
+constexpr double ticks_a_second = 1 / debugger::contest_tick;
 
 }  // namespace
 
@@ -55,8 +55,8 @@ void Contest::read() {
                 ledges_[i] = debugger::read_ledge(shape, sink, ledge_speed_, ticks);
                 const auto& all = ledges_[i].places;
                 const double foot = debugger::foot_of(shape);
-                const auto first = std::find_if(all.begin(), all.end(), [&](const debugger::Mover& mover) {
-                    return mover.position.y + foot <= -sink;
+                const auto first = std::find_if(all.begin(), all.end(), [&](const CharacterState& state) {
+                    return state.position.y + foot <= -sink;
                 });
                 sunk_at_[i] = static_cast<int>(std::min(first, all.end() - 1) - all.begin());
                 break;
@@ -65,7 +65,7 @@ void Contest::read() {
     }
 }
 
-const std::vector<debugger::Mover>& Contest::places(std::size_t i) const {
+const std::vector<CharacterState>& Contest::places(std::size_t i) const {
     return course_ == Course::ledge ? ledges_[i].places : stairs_[i];
 }
 

@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const debugger::LedgeReading& ledge(std::size_t i) const { return ledges_[i]; }
 
 private:
-    [[nodiscard]] const std::vector<debugger::Mover>& places(std::size_t i) const;
+    [[nodiscard]] const std::vector<CharacterState>& places(std::size_t i) const;
     void read();
 
     std::array<debugger::Contestant, count> contestants_ = debugger::contestants();
@@ -75,7 +75,7 @@ private:
     bool plays_ = false;
     bool sunk_ = false;
     std::array<debugger::SlopeReading, count> slopes_;
-    std::array<std::vector<debugger::Mover>, count> stairs_;
+    std::array<std::vector<CharacterState>, count> stairs_;
     std::array<debugger::LedgeReading, count> ledges_;
     std::array<int, count> sunk_at_{};
 };

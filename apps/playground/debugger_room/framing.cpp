@@ -1,9 +1,11 @@
 #include "playground/debugger_room/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
-#include <utility>
+#include <glm/geometric.hpp>
 
+#include "view/shapes.hpp"
 #include "view/widgets.hpp"
 
 namespace surefoot::playground {
@@ -29,6 +31,28 @@ void Framing::show(std::vector<dvec3> places, const view::ivec2& size) {
     kept_ = std::move(places);
     part_ = free_part(size);
     orbit_->frame(kept_, part_, size);
+}
+
+void Framing::look_along(const dvec3& way) {
+    constexpr double beside = 0.75;  // [rad]
+    if (way.x == 0 && way.z == 0) return;
+    auto stand = orbit_->goal();
+    const auto [first, second] = view::across({0, 1, 0});
+    stand.yaw = std::atan2(-glm::dot(way, second), -glm::dot(way, first)) + beside;
+    stand.pitch = 0.34;
+    orbit_->go_to(stand);
+}
+
+view::OrbitCamera::Stand Framing::depart() {
+    if (!before_) before_.emplace(orbit_->goal(), kept_);
+    return before_->first;
+}
+
+void Framing::come_back() {
+    if (!before_) return;
+    orbit_->go_to(before_->first);
+    keep(std::move(before_->second));
+    before_.reset();
 }
 
 void Framing::update(const view::ivec2& size) {

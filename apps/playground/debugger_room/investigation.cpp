@@ -88,6 +88,15 @@ void Investigation::show(const LevelLoader::Loaded& level) {
 void Investigation::show(const Moment& moment) {
     apply(debugger::Replace{moment.question});
     moment_ = moment;
+    saved_step_.reset();
+    ask();
+}
+
+void Investigation::show(const debugger::SavedStep& step) {
+    apply(debugger::Replace{step.question});
+    moment_.reset();
+    saved_step_ = step;
+    step_ = debugger::recorded_step(saved_step_->capture);
     ++version_;
 }
 
@@ -98,6 +107,7 @@ void Investigation::choose_search(Search search) {
 
 void Investigation::follow(bool other_world) {
     if (moment_ && !(moment_->question == question())) moment_.reset();
+    if (saved_step_ && !(saved_step_->question == question())) saved_step_.reset();
     if (other_world) {
         const Question& now = question();
         level_ = now.world == WorldKind::level && now.opened > 0 ? levels_[now.opened - 1] : nullptr;
@@ -120,8 +130,8 @@ void Investigation::ask() {
     } else {
         hit_ = arena_.sweep(volume, now.motion, now.one_sided);
     }
-    result_ =
-        debugger::slide(arena_, volume, now.motion.from, now.motion.to - now.motion.from, {.one_sided = now.one_sided});
+    step_ = saved_step_ ? debugger::recorded_step(saved_step_->capture)
+                        : debugger::make_step(arena_.world(), debugger::order_of(now));
     ++version_;
 }
 

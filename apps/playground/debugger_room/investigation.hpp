@@ -12,8 +12,9 @@
 
 #include "debugger/arena.hpp"
 #include "debugger/history.hpp"
+#include "debugger/made_step.hpp"
 #include "debugger/question.hpp"
-#include "debugger/slide.hpp"
+#include "debugger/saved_step.hpp"
 #include "playground/debugger_room/saved_moment.hpp"
 #include "playground/level_loader.hpp"
 
@@ -33,8 +34,10 @@ public:
     [[nodiscard]] dvec3 place_at(double t) const;
     /// What was hit. Requires: `touches()`.
     [[nodiscard]] Triangle triangle_hit() const;
-    /// Where the textbook's slide would leave the shape, and what turned it aside.
-    [[nodiscard]] const debugger::Slid& result() const { return result_; }
+    /// What `step` makes of it: RESULT is where it leaves the shape, and its story tells what turned it aside. Of a
+    /// saved step it is that one, as it was recorded.
+    [[nodiscard]] const debugger::MadeStep& step() const { return step_; }
+    [[nodiscard]] const dvec3& result() const { return step_.result.state.position; }
 
     /// The world in floats, for rays of the eye and for drawing; none while its corners are no numbers.
     [[nodiscard]] const std::optional<Mesh>& mesh() const { return mesh_; }
@@ -56,8 +59,11 @@ public:
     /// A level, with a question that crosses it. It is kept, for undo.
     void show(const LevelLoader::Loaded& level);
     void show(const Moment& moment);
+    void show(const debugger::SavedStep& step);
     /// The saved moment, while the question is still its own.
     [[nodiscard]] const std::optional<Moment>& moment() const { return moment_; }
+    /// The saved step, likewise.
+    [[nodiscard]] const std::optional<debugger::SavedStep>& saved_step() const { return saved_step_; }
 
     /// How a level is searched: by its tree, or by asking every triangle.
     [[nodiscard]] Search search() const { return search_; }
@@ -82,8 +88,9 @@ private:
     std::vector<LevelLoader::Loaded> levels_;  // that were opened, for undo; `Question::opened` counts from 1
     std::optional<Hit> hit_;
     std::optional<Hit> by_tree_;
-    debugger::Slid result_;
+    debugger::MadeStep step_;
     std::optional<Moment> moment_;
+    std::optional<debugger::SavedStep> saved_step_;
     Search search_ = Search::tree;
     bool search_waits_ = false;
     std::uint64_t version_ = 0;

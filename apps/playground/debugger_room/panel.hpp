@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "debugger/arena.hpp"
+#include "debugger/made_step.hpp"
 #include "debugger/question.hpp"
+#include "debugger/saved_step.hpp"
 #include "playground/room.hpp"
 
 namespace surefoot::playground {
@@ -18,7 +20,9 @@ struct Inquiry {
     const debugger::Arena& arena;
     const std::optional<Hit>& hit;
     double t = 1;  ///< the moment that is looked at [0, 1]: the shape is drawn there too. A panel's slider may set it
-    bool is_dragged = false;  ///< what takes long can wait until it no longer is
+    bool is_dragged = false;                          ///< what takes long can wait until it no longer is
+    const debugger::MadeStep* step = nullptr;         ///< whose end is RESULT; none where there is no room around it
+    const debugger::SavedStep* saved_step = nullptr;  ///< where that comes from a file
 };
 
 class Panel {

@@ -35,6 +35,11 @@ void PanelBar::toggle(int index, const Inquiry& inquiry) {
     if (!std::exchange(shown.knows, true)) shown.panel->changed(inquiry);
 }
 
+void PanelBar::show(std::string_view name, const Inquiry& inquiry) {
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+        if (panels_[i].panel->name() == name && open_ != static_cast<int>(i)) toggle(static_cast<int>(i), inquiry);
+}
+
 double PanelBar::width() const {
     constexpr double usual = 430;  // for usual letters
     constexpr double most = 0.46;  // of the window

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "playground/debugger_room/panel.hpp"
@@ -22,6 +23,8 @@ public:
         return open_ < 0 ? nullptr : panels_[static_cast<std::size_t>(open_)].panel.get();
     }
     void close() { open_ = -1; }
+    /// Opens the panel of this name; nothing happens if there is none.
+    void show(std::string_view name, const Inquiry& inquiry);
 
     /// How wide it is in this window, without its margin [window units].
     [[nodiscard]] double width() const;

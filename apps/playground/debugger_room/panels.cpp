@@ -11,6 +11,7 @@ std::vector<std::unique_ptr<Panel>> make_panels() {
     panels.push_back(make_mathematics_panel());
     panels.push_back(make_strategies_panel());
     panels.push_back(make_search_panel());
+    panels.push_back(make_step_panel());
     panels.push_back(make_side_by_side_panel());
     panels.push_back(make_voxels_panel());
     return panels;

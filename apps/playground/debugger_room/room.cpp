@@ -8,11 +8,13 @@
 #include "debugger/question_text.hpp"
 #include "playground/debugger_room/answer_panel.hpp"
 #include "playground/debugger_room/framing.hpp"
+#include "playground/debugger_room/hands.hpp"
 #include "playground/debugger_room/investigation.hpp"
 #include "playground/debugger_room/lesson_view.hpp"
 #include "playground/debugger_room/moment_bar.hpp"
 #include "playground/debugger_room/panel_bar.hpp"
 #include "playground/debugger_room/panels.hpp"
+#include "playground/debugger_room/panels_maths.hpp"
 #include "playground/debugger_room/question_panel.hpp"
 #include "playground/debugger_room/room_keys.hpp"
 #include "playground/debugger_room/scene.hpp"
@@ -22,7 +24,6 @@
 namespace surefoot::playground {
 namespace {
 
-using view::dvec2;
 using view::Key;
 
 constexpr double run_seconds = 2.5;     // that the whole motion takes
@@ -54,31 +55,28 @@ private:
     void ease_to_middle();
     void keep_framed();
     bool key(const view::KeyPress& press);
-    bool button(const view::ButtonPress& press);
-    void drag_to(const dvec2& at, bool snaps);
+    [[nodiscard]] Hands::Eye eye() const { return {camera(), stage_->display.size()}; }
+    void show(const debugger::SavedStep& step);
     void panel_opened();
     void question_window();
+    [[nodiscard]] Inquiry& inquiry();
     bool to_camera(const view::InputEvent& event, const std::optional<dvec3>& under = std::nullopt);
 
     Stage* stage_ = nullptr;
     std::shared_ptr<int> here_ = std::make_shared<int>(0);  // gone when the room is left: callbacks hold it weakly
     Investigation asked_;
-    Inquiry inquiry_{asked_.question(), asked_.arena(), asked_.hit()};
-    std::uint64_t told_ = 0;  // which version the panels know
+    Inquiry inquiry_{asked_.question(), asked_.arena(), asked_.hit()};  // see `inquiry`
+    std::uint64_t told_ = 0;                                            // which version the panels know
     PanelBar bar_{make_panels()};
     QuestionPanel question_panel_;
     std::optional<AnswerPanel> answer_panel_;
     Scene scene_;
     view::OrbitCamera orbit_;
     Framing framing_{orbit_};
-    std::optional<std::pair<view::OrbitCamera::Stand, std::vector<dvec3>>> before_panel_;  // and what was seen
     bool shows_more_ = false;      // the open panel, than the question
     bool folds_question_ = false;  // for want of room
     bool question_folded_ = false;
-    std::optional<Target> selected_;
-    std::optional<Grip> hovered_;
-    std::optional<Drag> drag_;
-    std::optional<dvec2> pressed_at_;  // a press on nothing, which may become a click
+    Hands hands_{asked_};
     bool runs_ = false;
     bool panels_hidden_ = false;
 };
@@ -96,13 +94,18 @@ void Debugger::enter(Stage& stage) {
 
 void Debugger::open_file(const std::string& path) {
     if (path.ends_with(".json")) {
+        if (kind_of_file(path) == SavedKind::step) {
+            const auto step = debugger::open_step(path);
+            step ? show(*step) : stage_->toasts.warn(step.error().text);
+            return;
+        }
         const auto moment = open_moment(path);
         if (!moment) {
             stage_->toasts.warn(moment.error().text);
             return;
         }
         asked_.show(*moment);
-        selected_.reset();
+        hands_.deselect();
         frame();
         stage_->toasts.say(verdict_text(*moment));
         return;
@@ -110,9 +113,21 @@ void Debugger::open_file(const std::string& path) {
     stage_->open_level(path, [this, here = std::weak_ptr(here_)](const LevelLoader::Loaded& level) {
         if (here.expired()) return;
         asked_.show(level);
-        selected_.reset();
+        hands_.deselect();
         frame();
     });
+}
+
+/// A saved step, and what is to be told of it.
+void Debugger::show(const debugger::SavedStep& step) {
+    asked_.show(step);
+    inquiry_.t = 1;
+    hands_.deselect();
+    bar_.show(step_panel_name, inquiry());
+    panel_opened();
+    framing_.look_along(step.capture.input.wish);
+    frame();
+    stage_->toasts.say(debugger::verdict_text(step));
 }
 
 void Debugger::open_dialog() {
@@ -134,7 +149,13 @@ void Debugger::copy() {
 }
 
 void Debugger::paste() {
-    const auto pasted = debugger::from_line(stage_->display.clipboard(), asked_.question());
+    const std::string text = stage_->display.clipboard();
+    if (saved_kind(text) == SavedKind::step) {
+        const auto step = debugger::step_from_text(text, "clipboard");
+        step ? show(*step) : stage_->toasts.warn(step.error().text);
+        return;
+    }
+    const auto pasted = debugger::from_line(text, asked_.question());
     if (!pasted) {
         stage_->toasts.warn(pasted.error());
         return;
@@ -148,6 +169,14 @@ std::vector<dvec3> Debugger::places() const {
     const std::vector<dvec3> more = bar_.open() != nullptr ? bar_.open()->scene_places() : std::vector<dvec3>();
     all.insert(all.end(), more.begin(), more.end());
     return all;
+}
+
+/// What panels look at, as it is now.
+Inquiry& Debugger::inquiry() {
+    inquiry_.is_dragged = asked_.history().is_dragged();
+    inquiry_.step = &asked_.step();
+    inquiry_.saved_step = asked_.saved_step() ? &*asked_.saved_step() : nullptr;
+    return inquiry_;
 }
 
 void Debugger::frame() {
@@ -178,7 +207,7 @@ bool Debugger::key(const view::KeyPress& press) {
     if (press.held.control) {
         switch (press.key) {
             case Key::z:
-                drag_.reset();
+                hands_.let_go();
                 press.held.shift ? asked_.redo() : asked_.undo();
                 return true;
             case Key::c:
@@ -215,46 +244,10 @@ bool Debugger::key(const view::KeyPress& press) {
                 panel_opened();
                 return true;
             }
-            if (!selected_) return false;
-            selected_.reset();
-            return true;
+            return hands_.deselect();
         default:
             return false;
     }
-}
-
-bool Debugger::button(const view::ButtonPress& press) {
-    if (press.button != view::MouseButton::left) return false;
-    const view::ivec2 size = stage_->display.size();
-    if (press.down) {
-        const auto grips = grips_of(asked_.question(), selected_, camera(), size);
-        const auto grabbed = grab(grips, camera(), press.at, size);
-        if (!grabbed) {
-            pressed_at_ = press.at;
-            return false;
-        }
-        selected_ = grabbed->grip.target;
-        hovered_ = grabbed->grip;
-        drag_.emplace(*grabbed, asked_.question());
-        asked_.begin_drag();
-        return true;
-    }
-    if (drag_) {
-        drag_.reset();
-        asked_.end_drag();
-        ease_to_middle();
-        return true;
-    }
-    // What hardly moved between press and release was a click: on nothing, it lets go of what is selected.
-    constexpr double hardly = 4;
-    if (pressed_at_ && glm::length(press.at - *pressed_at_) <= hardly) selected_.reset();
-    pressed_at_.reset();
-    return false;
-}
-
-void Debugger::drag_to(const dvec2& at, bool snaps) {
-    const auto place = drag_->to(camera(), at, stage_->display.size(), snaps ? question_panel_.grid : 0);
-    if (place) asked_.apply(moved_to(drag_->grip().target, *place));
 }
 
 bool Debugger::event(const view::InputEvent& event) {
@@ -265,24 +258,21 @@ bool Debugger::event(const view::InputEvent& event) {
     if (const auto* const press = std::get_if<view::KeyPress>(&event)) return key(*press);
     const view::ivec2 size = stage_->display.size();
     if (has_lesson()) return to_camera(event);
-    if (const auto* const press = std::get_if<view::ButtonPress>(&event); press != nullptr && button(*press))
-        return true;
+    if (const auto* const press = std::get_if<view::ButtonPress>(&event)) {
+        const Grasp grasp = hands_.button(*press, eye());
+        if (grasp == Grasp::dropped) ease_to_middle();
+        if (grasp != Grasp::nothing) return true;
+    }
     std::optional<dvec3> under;
     if (const auto* const move = std::get_if<view::PointerMove>(&event)) {
-        if (drag_) {
-            drag_to(move->at, move->held.shift);
+        if (orbit_.is_dragged() && !hands_.hold()) {
+            hands_.look_away();
+        } else if (hands_.move(*move, eye(), question_panel_.grid)) {
             return true;
         }
-        const auto grabbed = orbit_.is_dragged() ? std::nullopt
-                                                 : grab(grips_of(asked_.question(), selected_, camera(), size),
-                                                        camera(), move->at, size);
-        hovered_ = grabbed ? std::optional(grabbed->grip) : std::nullopt;
     }
-    if (const auto* const focus = std::get_if<view::FocusChange>(&event);
-        focus != nullptr && !focus->focused && drag_) {
-        drag_.reset();
-        asked_.end_drag();
-    }
+    if (const auto* const focus = std::get_if<view::FocusChange>(&event); focus != nullptr && !focus->focused)
+        hands_.let_go();
     if (const auto* const wheel = std::get_if<view::WheelTurn>(&event); wheel != nullptr && asked_.mesh())
         if (const auto hit = view::pick(*asked_.mesh(), camera(), wheel->at, size); hit && hit->status == HitStatus::ok)
             under = hit->point;
@@ -297,20 +287,17 @@ bool Debugger::to_camera(const view::InputEvent& event, const std::optional<dvec
 }
 
 bool Debugger::update(double dt) {
-    if (selected_ && selected_->kind == Target::Kind::corner &&
-        selected_->triangle >= asked_.question().triangles.size())
-        selected_.reset();
-    inquiry_.is_dragged = asked_.history().is_dragged();
+    hands_.follow();
     if (told_ != asked_.version()) {
         told_ = asked_.version();
-        hovered_.reset();
-        bar_.changed(inquiry_);
+        hands_.look_away();
+        bar_.changed(inquiry());
     }
     if (runs_) {
         inquiry_.t = std::min(inquiry_.t + dt / run_seconds, 1.0);
         runs_ = inquiry_.t < 1;
     }
-    const bool moves = bar_.open() != nullptr && bar_.open()->update(dt, inquiry_);
+    const bool moves = bar_.open() != nullptr && bar_.open()->update(dt, inquiry());
     keep_framed();
     return orbit_.update(dt) || moves || runs_;
 }
@@ -328,7 +315,7 @@ void Debugger::keep_framed() {
 void Debugger::draw(view::Renderer& renderer) {
     if (!has_lesson()) {
         scene_.draw(renderer, asked_, inquiry_.t);
-        if (!panels_hidden_) scene_.draw_grips(renderer, asked_.question(), selected_, hovered_);
+        if (!panels_hidden_) scene_.draw_grips(renderer, asked_.question(), hands_.selected(), hands_.hovered());
     }
     if (bar_.open() != nullptr) bar_.open()->draw(renderer, inquiry_);
 }
@@ -343,21 +330,15 @@ bool Debugger::hides(const dvec3& place) const {
 /// and the question from where it was.
 void Debugger::panel_opened() {
     const bool shows_more = has_lesson() || (bar_.open() != nullptr && !bar_.open()->scene_places().empty());
-    if (shows_more) {
-        if (!before_panel_) before_panel_.emplace(orbit_.goal(), framing_.kept());
-        drag_.reset();
-        auto stand = before_panel_->first;
-        if (has_lesson()) {
-            stand.yaw = lesson_yaw;
-            stand.pitch = lesson_pitch;
-        }
-        orbit_.go_to(stand);
-        frame();
-    } else if (before_panel_) {
-        orbit_.go_to(before_panel_->first);
-        framing_.keep(std::move(before_panel_->second));
-        before_panel_.reset();
+    if (!shows_more) return framing_.come_back();
+    hands_.let_go();
+    auto stand = framing_.depart();
+    if (has_lesson()) {
+        stand.yaw = lesson_yaw;
+        stand.pitch = lesson_pitch;
     }
+    orbit_.go_to(stand);
+    frame();
 }
 
 void Debugger::question_window() {
@@ -376,7 +357,7 @@ void Debugger::question_window() {
         if (wishes.copy) copy();
         if (wishes.paste) paste();
         if (wishes.framed) {
-            selected_.reset();
+            hands_.deselect();
             show_world();
         }
         ImGui::Separator();
@@ -391,7 +372,7 @@ void Debugger::ui() {
     if (panels_hidden_) return;
     if (!has_lesson()) question_window();
     if (has_lesson()) {
-        if (bar_.ui(inquiry_, 0)) panel_opened();
+        if (bar_.ui(inquiry(), 0)) panel_opened();
         return;
     }
     // The bar of the moment lies beside an open panel where it has room there, else beneath.
@@ -401,7 +382,7 @@ void Debugger::ui() {
     const bool is_beside = bar_.open() != nullptr && beside - left >= least_scene;
     const double beneath = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
                            2 * ImGui::GetStyle().WindowPadding.y + margin;
-    if (bar_.ui(inquiry_, is_beside ? 0 : beneath)) panel_opened();
+    if (bar_.ui(inquiry(), is_beside ? 0 : beneath)) panel_opened();
     moment_bar(asked_, {inquiry_.t, runs_}, left, is_beside ? beside : across - margin);
 }
 

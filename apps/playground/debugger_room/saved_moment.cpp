@@ -3,33 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <glm/geometric.hpp>
+#include <iterator>
 
+#include "debugger/saved_step.hpp"
 #include "moment.hpp"
 #include "text.hpp"
 
 namespace surefoot::playground {
-namespace {
-
-bool is_placed(const CapturedBody& body) {
-    const Pose still{};
-    const auto same = [](const Pose& a, const Pose& b) {
-        return a.position == b.position && a.orientation == b.orientation;
-    };
-    return !same(body.start, still) || !same(body.start, body.end);
-}
-
-/// Where the triangle is in the world when the tick begins.
-Triangle placed(const Capture& capture, const CapturedTriangle& one) {
-    for (const CapturedBody& body : capture.bodies) {
-        if (body.body != one.body || !is_placed(body)) continue;
-        const Pose at = pose_between(body.start, body.end, capture.question.begin);
-        return {to_world(at, one.triangle.a), to_world(at, one.triangle.b), to_world(at, one.triangle.c)};
-    }
-    return one.triangle;
-}
-
-}  // namespace
 
 Expected<Moment> open_moment(const std::string& file) {
     auto capture = read_capture(file);
@@ -54,11 +36,16 @@ Expected<Moment> open_moment(const std::string& file) {
         question.orientation = asked.volume.orientation;
     }
     for (const CapturedTriangle& one : moment.capture.triangles)
-        question.triangles.push_back(placed(moment.capture, one));
-    if (std::any_of(moment.capture.bodies.begin(), moment.capture.bodies.end(), is_placed))
+        question.triangles.push_back(debugger::placed(moment.capture.bodies, one, asked.begin));
+    if (std::any_of(moment.capture.bodies.begin(), moment.capture.bodies.end(), debugger::is_placed))
         moment.remark += fmt::format("{}Its bodies stand here as they do when the question begins.",
                                      moment.remark.empty() ? "" : " ");
     return moment;
+}
+
+SavedKind kind_of_file(const std::string& file) {
+    std::ifstream input(file, std::ios::binary);
+    return saved_kind(std::string(std::istreambuf_iterator<char>(input), {}));
 }
 
 Capture capture_of(const debugger::Question& question, const std::optional<Hit>& answer) {

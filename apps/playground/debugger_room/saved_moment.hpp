@@ -22,6 +22,9 @@ struct Moment {
 /// Reads a file that `surefoot sweep --save`, the debugger or a game wrote.
 [[nodiscard]] Expected<Moment> open_moment(const std::string& file);
 
+/// What a file holds; a `question`, if it cannot be read.
+[[nodiscard]] SavedKind kind_of_file(const std::string& file);
+
 /// A question that is asked of a few triangles.
 [[nodiscard]] Capture capture_of(const debugger::Question& question, const std::optional<Hit>& answer);
 

@@ -74,18 +74,21 @@ void draw_rest(Renderer& renderer, const dvec3& from, const dvec3& to) {
                       {.colour = view::with_opacity(paint::end, 0.6), .width = 1.5, .behind = 0.2});
 }
 
-void name_triangles(Renderer& renderer, const Question& question) {
+/// By their corners if there is one, else by their numbers; of a saved step those that its sentences name.
+void name_triangles(Renderer& renderer, const Investigation& asked) {
+    const Question& question = asked.question();
+    const auto& saved = asked.saved_step();
     constexpr std::size_t most_named = 12;
     const auto say = [&](const dvec3& place, std::string text, const dvec2& offset) {
         renderer.label({.place = place, .text = std::move(text), .offset = offset, .behind = 0.5, .yields = true});
     };
-    if (question.triangles.size() == 1) {
+    if (question.triangles.size() == 1 && !saved) {
         const char* names[] = {"a", "b", "c"};
         for (std::size_t i = 0; i < 3; ++i) say(debugger::corners_of(question.triangles[0])[i], names[i], dvec2(0, 17));
     } else if (question.triangles.size() <= most_named) {
         for (std::size_t i = 0; i < question.triangles.size(); ++i) {
             const Triangle& t = question.triangles[i];
-            say((t.a + t.b + t.c) / 3.0, std::to_string(i), dvec2(0, 0));
+            say((t.a + t.b + t.c) / 3.0, std::to_string(saved ? saved->capture.triangles[i].id : i), dvec2(0, 0));
         }
     }
 }
@@ -113,7 +116,7 @@ void Scene::draw_world(Renderer& renderer, const Investigation& asked) {
 void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
     draw_world(renderer, asked);
     const Question& question = asked.question();
-    if (look.labels) name_triangles(renderer, question);
+    if (look.labels) name_triangles(renderer, asked);
     const Volume volume = question.volume();
     const Motion& way = question.motion;
     const dvec3 middle = gizmo_middle({.kind = Target::Kind::start}, question) - way.from;
@@ -133,8 +136,9 @@ void Scene::draw(Renderer& renderer, const Investigation& asked, double t) {
         if (look.labels) name(renderer, volume, way.to, "END", paint::end, Side::below);
     }
     const dvec3 stop = hit ? asked.place_at(hit->t) : way.to;
-    const dvec3& rest = asked.result().position;
-    const bool slides = hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
+    const dvec3& rest = asked.result();
+    const bool slides =
+        asked.saved_step() ? rest != way.from : hit && glm::length(rest - stop) > 1e-3 * view::reach_of(volume.shape);
     if (look.hit && hit) {
         renderer.shape(volume, stop, {.colour = paint::hit, .opacity = 0.46, .outline = 2.4});
         if (look.labels) name(renderer, volume, stop, fmt::format("HIT  t = {:.4f}", hit->t), paint::hit, Side::above);
@@ -204,7 +208,7 @@ std::vector<dvec3> places_of(const Investigation& asked) {
         for (dvec3& place : places) place = middle + (place - middle) * wider;
         return places;
     }
-    if (asked.touches()) append_corners(places, debugger::bounds_of(volume, asked.result().position));
+    if (asked.touches() || asked.saved_step()) append_corners(places, debugger::bounds_of(volume, asked.result()));
     constexpr std::size_t few = 64;
     if (question.triangles.size() <= few)
         for (const Triangle& triangle : question.triangles)

@@ -120,7 +120,8 @@ void SideBySidePanel::slope_ui() {
     ui::note(
         "Millimetres, from the foot straight down; w is half the width, h half the height. The gap is measured by a "
         "ray "
-        "where the shape came to rest. The skin, 5 mm along the normal, is kept from everything.");
+        "where the body came to rest. The skin, 10 mm, is what it is larger by all round when it meets something: "
+        "seen along a slope, corners and tips are farther off.");
 }
 
 void SideBySidePanel::clock_ui() {
@@ -150,8 +151,9 @@ void SideBySidePanel::stairs_ui() {
         cell(fmt::format("{:.3f} m", contest_.position(i).x));
     });
     ui::note(
-        "Eight stairs of 20 cm begin at 0. To box and cylinder a riser is a wall. What is round meets the edge with a "
-        "normal that leads upwards too, and slides on.");
+        "Eight stairs of 20 cm begin at 0, and step_up is 40 cm: whoever has a foot walks up. The cone has none; its "
+        "side "
+        "meets the edge as a slope of 77 degrees, which is a wall.");
 }
 
 void SideBySidePanel::ledge_ui() {
@@ -168,7 +170,7 @@ void SideBySidePanel::ledge_ui() {
     ui::note(
         "Millimetres by which the axis is beyond the edge when the foot has sunk 5 cm. The measured one comes later, "
         "by "
-        "the skin and by what is moved in a tick or two, and by how long a fall from rest takes.");
+        "the skin and by how far it goes on while it falls so far.");
 }
 
 }  // namespace
