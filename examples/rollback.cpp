@@ -195,7 +195,6 @@ public:
 private:
     Snapshot& snapshot(std::size_t before_tick) { return snapshots_[before_tick % snapshots_.size()]; }
 
-    // [play]
     void play(std::size_t tick) {
         snapshot(tick) = game_.save();
         // The guess: the other goes on holding what it was last known to hold.
@@ -207,7 +206,6 @@ private:
         game_.play(tick, buttons);
         snapshot(tick + 1) = game_.save();
     }
-    // [/play]
 
     /// A person who runs after the other or somewhere else, changes mind now and then, and jumps.
     Buttons decide() {
