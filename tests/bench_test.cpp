@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 #include "motions.hpp"
+#include "rollback.hpp"
 #include "shelf.hpp"
 #include "suite.hpp"
 
@@ -106,6 +107,21 @@ TEST(Check, counts_answers_of_another_scene_as_wrong) {
         if (workload.question == Question::gather) continue;  // a few centimetres seldom change what is near
         EXPECT_GT(check(stage, workload, shelf.of(workload)).wrong, 0U) << name_of(workload);
     }
+}
+
+TEST(Rollback, of_a_crowd_on_lifts_comes_to_the_same_hash_in_every_frame) {
+    const RollbackReport report = run_rollback({.rounds = 40});
+    EXPECT_FALSE(report.first_differs.has_value()) << *report.first_differs;
+    EXPECT_EQ(report.compared, 320U);
+    EXPECT_GT(report.touching, 0.9) << "they are to touch each other";
+    EXPECT_GT(report.riding, 0.9) << "on the lifts";
+    EXPECT_GT(report.frame, 0);
+}
+
+TEST(Rollback, that_forgets_where_the_lifts_were_is_found_in_its_first_frame) {
+    const RollbackReport report = run_rollback({.rounds = 3, .settling = 60, .restores_poses = false});
+    ASSERT_TRUE(report.first_differs.has_value());
+    EXPECT_EQ(*report.first_differs, 52U);
 }
 
 }  // namespace

@@ -71,6 +71,65 @@ TEST(Session, IsPlayedAgainToTheSameHashesThroughTheTextOfItsFile) {
     EXPECT_EQ(again.ticks, 600U);
 }
 
+/// Somebody who walks up and down on the lift, and stands in the way.
+Neighbour in_the_way(int tick) {
+    Neighbour other;
+    other.volume = Ellipsoid{{0.4, 0.9, 0.4}};
+    other.position = {4 + 0.02 * (tick % 100 < 50 ? tick % 50 : 50 - tick % 50), 1.1, 0};
+    other.velocity = {tick % 100 < 50 ? 1.2 : -1.2, 0, 0};
+    other.id = 5;
+    return other;
+}
+
+TEST(Session, ACharacterAmongOthersIsPlayedAgainWithThem) {
+    Hall hall;
+    Player player;
+    Session session = begin_session(hall.world, player.settings, player.state);
+    int met = 0;
+    for (int i = 0; i < 300; ++i) {
+        const BodyPose moved = hall.move(i);
+        const Neighbour other = in_the_way(i);
+        const CharacterInput input{.wish = (dvec3{4, 1, 0} - player.state.position) * 3.0};
+        const StepResult result = step(hall.world, player.settings, input, dt, player.state, {&other, 1});
+        player.state = result.state;
+        if (result.events.has(CharacterEvent::met_neighbour)) ++met;
+        record(session, input, dt, player.state, {&moved, 1}, {&other, 1});
+    }
+    EXPECT_GT(met, 100);
+    const auto read = parse_session(session_text(session));
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    EXPECT_EQ(session_text(*read), session_text(session));
+    Hall other;
+    const SessionReplay again = replay(*read, other.world);
+    EXPECT_TRUE(again.is_same()) << again.wrong << again.first_differs.value_or(0);
+    for (SessionTick& tick : session.ticks) tick.neighbours.clear();
+    EXPECT_TRUE(replay(session, other.world).first_differs.has_value());
+}
+
+TEST(Session, AFileOfTheFirstFormHasNoNeighboursAndOneOfTheSecondHasThemInEachTick) {
+    Hall hall;
+    const Session session = played(hall, 5);
+    std::string text = session_text(session);
+    const std::string newest = text;
+    const auto without = [&](const std::string& part) {
+        const std::size_t place = text.find(part);
+        ASSERT_NE(place, std::string::npos) << part;
+        text.erase(place, part.size());
+    };
+    without(", \"neighbours\": []");
+    EXPECT_FALSE(parse_session(text).has_value()) << "one tick lacks them";
+    for (int i = 0; i < 4; ++i) without(", \"neighbours\": []");
+    EXPECT_FALSE(parse_session(text).has_value());
+    text.replace(text.find("\"surefoot_session\": 2"), 21, "\"surefoot_session\": 1");
+    EXPECT_FALSE(parse_session(text).has_value()) << "firmness is new as well";
+    without(",\n    \"firmness\": \"hard\"");
+    const auto read = parse_session(text);
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    EXPECT_EQ(session_text(*read), newest) << "it is written in the newest form";
+    Hall other;
+    EXPECT_TRUE(replay(*read, other.world).is_same());
+}
+
 TEST(Session, TheFirstTickThatDiffersIsNamedAndCanBeCaptured) {
     Hall hall;
     Session session = played(hall, 300);
@@ -172,6 +231,31 @@ TEST(StepRing, KeepsTheLastTicksAndTheirPosesAndBecomesASession) {
     const SessionReplay again = replay(session, other.world);
     EXPECT_TRUE(again.is_same()) << again.wrong << again.first_differs.value_or(0);
     EXPECT_EQ(again.after, player.state);
+}
+
+TEST(StepRing, KeepsNeighboursAndATickWhoseNeighboursAreGoneIsGoneItself) {
+    Hall hall;
+    Player player;
+    std::array<RingTick, 90> ticks;
+    std::array<BodyPose, 90> poses;
+    std::array<Neighbour, 140> neighbours;
+    StepRing ring(ticks, poses, neighbours);
+    for (int i = 0; i < 200; ++i) {
+        const BodyPose moved = hall.move(i);
+        const std::array<Neighbour, 2> others{in_the_way(i), in_the_way(i + 20)};
+        const CharacterInput input{.wish = (dvec3{4, 1, 0} - player.state.position) * 3.0};
+        ring.push(input, dt, player.state, {&moved, 1}, others);
+        player.state = step(hall.world, player.settings, input, dt, player.state, others).state;
+    }
+    EXPECT_EQ(ring.size(), 70U);
+    EXPECT_EQ(ring.neighbour(ring[69], 1).position, in_the_way(219).position);
+    const Session session = session_of(ring, hall.world, player.settings, player.state);
+    Hall other;
+    const SessionReplay again = replay(session, other.world);
+    EXPECT_TRUE(again.is_same()) << again.wrong << again.first_differs.value_or(0);
+    EXPECT_EQ(again.after, player.state);
+    ring.push({}, dt, player.state, {}, std::vector<Neighbour>(141));
+    EXPECT_EQ(ring.size(), 0U);
 }
 
 TEST(StepRing, ATickWhosePosesAreGoneIsGoneItself) {

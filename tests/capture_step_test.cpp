@@ -1,5 +1,7 @@
 // A step that was saved is made again to the same bits, from the triangles in the file alone; and what is no such file
 // says so.
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <unistd.h>
 
@@ -39,8 +41,25 @@ struct Any {
     CharacterSettings settings{};
     CharacterInput input{};
     CharacterState state{};
+    std::vector<Neighbour> neighbours;
     double dt = 1.0 / 60;
 };
+
+/// Others around it, in it and far away, hard and soft, some of them carried.
+std::vector<Neighbour> any_neighbours(SplitMix& random, const dvec3& around) {
+    const Volume volumes[] = {Ellipsoid{{0.4, 0.9, 0.4}}, Capsule{0.4, 0.5}, Box{{0.3, 0.9, 0.3}}, Sphere{0.5}};
+    std::vector<Neighbour> all(random.next() % 5);
+    for (Neighbour& one : all) {
+        one.volume = volumes[random.next() % 4];
+        one.position = around + dvec3{random.in(-1.5, 1.5), random.in(-0.5, 0.5), random.in(-1.5, 1.5)};
+        one.velocity = {random.in(-9, 9), random.in(-2, 2), random.in(-9, 9)};
+        one.id = static_cast<std::uint32_t>(random.next());
+        one.firmness = random.next() % 4 == 0 ? Firmness::soft : Firmness::hard;
+        one.is_carried = random.next() % 2 == 0;
+        one.carrier = random.next() % 2 == 0 ? 17 : 2;
+    }
+    return all;
+}
 
 Any any_step(SplitMix& random, const Course& course) {
     Any any;
@@ -63,6 +82,8 @@ Any any_step(SplitMix& random, const Course& course) {
     for (std::uint64_t i = random.next() % 30; i > 0; --i) {
         any.state = step(course.world, any.settings, any.input, 1.0 / 60, any.state).state;
     }
+    any.neighbours = any_neighbours(random, any.state.position);
+    any.settings.firmness = random.next() % 2 == 0 ? Firmness::soft : Firmness::hard;
     return any;
 }
 
@@ -78,8 +99,9 @@ TEST(CaptureStep, AnyStepOfACourseThatMovesIsReplayedToTheSameBitsThroughTheText
     std::size_t most = 0;
     for (int i = 0; i < 1500; ++i) {
         const Any any = any_step(random, course);
-        const StepResult result = step(course.world, any.settings, any.input, any.dt, any.state);
-        const StepCapture capture = capture_step(course.world, any.settings, any.input, any.dt, any.state);
+        const StepResult result = step(course.world, any.settings, any.input, any.dt, any.state, any.neighbours);
+        const StepCapture capture =
+            capture_step(course.world, any.settings, any.input, any.dt, any.state, any.neighbours);
         ASSERT_TRUE(same_results(capture, result)) << i;
         const std::string text = capture_text(capture);
         ASSERT_EQ(saved_kind(text), SavedKind::step);
@@ -94,7 +116,7 @@ TEST(CaptureStep, AnyStepOfACourseThatMovesIsReplayedToTheSameBitsThroughTheText
     }
     for (const CharacterEvent event :
          {CharacterEvent::landed, CharacterEvent::blocked, CharacterEvent::pushed, CharacterEvent::stepped_up,
-          CharacterEvent::sub_stepped, CharacterEvent::recovered}) {
+          CharacterEvent::sub_stepped, CharacterEvent::recovered, CharacterEvent::met_neighbour}) {
         EXPECT_NE(events & static_cast<std::uint32_t>(event), 0U)
             << "no step had " << static_cast<std::uint32_t>(event);
     }
@@ -191,9 +213,121 @@ TEST(CaptureStep, MembersThatAreMissingUnknownOrTwiceAreNamed) {
     EXPECT_NE(wrong("\"skin\": 0.01,", "\"skin\": 0.01, \"skin\": 0.01,").find("is there twice"), std::string::npos);
     EXPECT_NE(wrong("\"slide\"", "\"glide\"").find("one of \"slide\", \"stop\" must be here"), std::string::npos);
     EXPECT_NE(wrong("\"jump_held\": 0", "\"jump_held\": 2").find("0 or 1 must be here"), std::string::npos);
-    EXPECT_NE(wrong("\"surefoot_capture\": 2", "\"surefoot_capture\": 3").find("newer form"), std::string::npos);
+    EXPECT_NE(wrong("\"surefoot_capture\": 3", "\"surefoot_capture\": 4").find("newer form"), std::string::npos);
     EXPECT_NE(wrong("\"body\": 0, \"start\"", "\"body\": 5, \"start\"").find("of a body that is not in the file"),
               std::string::npos);
+}
+
+/// Someone walks into someone, and somebody else stands in them.
+StepCapture a_meeting() {
+    const World world = Scene().floor(-5, 5, -5, 5).world();
+    Actor actor;
+    actor.state.position = {0, 1, 0};
+    actor.run(world, 1);
+    const CharacterInput input{.wish = {4, 0, 0}};
+    const std::vector<Neighbour> others{
+        neighbour_of(actor.settings, {}, {.position = {0.85, 0.91, 0}}, 12),
+        neighbour_of(actor.settings, {}, {.position = {0, 0.91, -0.7}}, 90),
+    };
+    return capture_step(world, actor.settings, input, 0.1, actor.state, others);
+}
+
+TEST(CaptureStep, NeighboursAreKeptAndDecideWhatIsReplayed) {
+    StepCapture capture = a_meeting();
+    EXPECT_TRUE(capture.events.has(CharacterEvent::met_neighbour));
+    const std::string text = capture_text(capture);
+    const auto read = parse_step_capture(text);
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    ASSERT_EQ(read->neighbours.size(), 2U);
+    EXPECT_EQ(read->neighbours[1].id, 90U);
+    EXPECT_TRUE(replay(*read).is_same()) << replay(*read).differs;
+    for (std::size_t i = 0; i < 2; ++i) {
+        StepCapture without = *read;
+        without.neighbours.erase(without.neighbours.begin() + static_cast<std::ptrdiff_t>(i));
+        EXPECT_FALSE(replay(without).is_same()) << i;
+    }
+}
+
+TEST(CaptureStep, TheBodyThatCarriesANeighbourIsKeptHoweverFarItsTrianglesAre) {
+    World world = Scene().floor(-5, 5, -5, 5).world();
+    const Mesh wheel = Scene().block({60, -0.2, -1}, {62, 0, 1}).mesh();
+    const auto handle = world.add(wheel, {.body = 7});
+    ASSERT_TRUE(handle && world.move(*handle, {{-0.3, 0, 0}, dquat(1, 0, 0, 0)}));
+    const CharacterSettings settings;
+    const CharacterState state{.position = {0, 0.91, 0}};
+    Neighbour other = neighbour_of(settings, {}, {.position = {1, 0.91, 0}}, 3);
+    other.carrier = 7;
+    other.is_carried = true;
+    const StepCapture capture = capture_step(world, settings, {.wish = {4, 0, 0}}, 1.0 / 60, state, {&other, 1});
+    EXPECT_NE(capture.after, step(world, settings, {.wish = {4, 0, 0}}, 1.0 / 60, state).state);
+    const auto read = parse_step_capture(capture_text(capture));
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    EXPECT_TRUE(replay(*read).is_same()) << replay(*read).differs;
+}
+
+TEST(CaptureStep, EachOfACrowdOnALiftIsReplayedWithTheNeighboursThatTheCrowdLists) {
+    Course course;
+    std::vector<CharacterState> states(12);
+    std::vector<CharacterInput> inputs(states.size());
+    const CharacterSettings settings;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        states[i].position = {3.2 + 0.5 * static_cast<double>(i % 4), 1.41, 0.6 * static_cast<double>(i / 4) - 0.6};
+        inputs[i].wish = {i % 2 == 0 ? 3.0 : -3.0, 0, i % 3 == 0 ? 2.0 : -1.0};
+    }
+    std::vector<CharacterState> after(states.size());
+    const Characters all{.settings = {&settings, 1}, .inputs = inputs, .before = states, .after = after};
+    Crowd crowd;
+    ASSERT_TRUE(crowd.gather(all, 1.0 / 60));
+    step_all(course.world, crowd, all, 1.0 / 60);
+    std::size_t shoved = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        std::array<Neighbour, most_met_in_crowd> room;
+        const std::size_t count = crowd.neighbours(i, room);
+        const StepCapture capture = capture_step(course.world, settings, inputs[i], 1.0 / 60, states[i],
+                                                 std::span(room).first(std::min(count, room.size())));
+        EXPECT_EQ(capture.after, after[i]) << i;
+        EXPECT_TRUE(replay(*parse_step_capture(capture_text(capture))).is_same()) << i;
+        const auto parted = [](const StepRecord& record) { return record.act == StepAct::parted; };
+        if (std::any_of(capture.records.begin(), capture.records.end(), parted)) ++shoved;
+    }
+    EXPECT_GT(shoved, 6U);
+}
+
+/// The text as a build wrote it that knew no neighbours.
+std::string second_form_of(std::string text) {
+    const auto cut = [&](std::string_view from, std::string_view to) {
+        const std::size_t begin = text.find(from);
+        text.erase(begin, text.find(to, begin) - begin);
+    };
+    cut(",\n      \"firmness\"", "\n    },\n    \"input\"");
+    cut(",\n    \"neighbours\"", "\n  },\n  \"after\"");
+    text.replace(text.find("\"surefoot_capture\": 3"), 21, "\"surefoot_capture\": 2");
+    return text;
+}
+
+TEST(CaptureStep, AFileOfTheSecondFormIsAStepWithoutNeighbours) {
+    const std::string text = capture_text(a_stop());
+    const auto read = parse_step_capture(second_form_of(text));
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    EXPECT_TRUE(read->neighbours.empty());
+    EXPECT_TRUE(replay(*read).is_same()) << replay(*read).differs;
+    EXPECT_EQ(capture_text(*read), text) << "it is written in the newest form";
+}
+
+TEST(CaptureStep, WhatCameWithTheThirdFormIsInAllOfItsFilesAndInNoOlderOne) {
+    const std::string newest = capture_text(a_meeting());
+    const std::string second = second_form_of(newest);
+    const auto with_form = [](std::string text, char form) {
+        text[text.find("\"surefoot_capture\": ") + 20] = form;
+        return parse_step_capture(text);
+    };
+    EXPECT_TRUE(with_form(newest, '3').has_value());
+    EXPECT_TRUE(with_form(second, '2').has_value());
+    ASSERT_FALSE(with_form(newest, '2').has_value());
+    EXPECT_NE(with_form(newest, '2').error().text.find("means nothing in a file of this form"), std::string::npos);
+    ASSERT_FALSE(with_form(second, '3').has_value());
+    EXPECT_NE(with_form(second, '3').error().text.find("is missing"), std::string::npos);
+    EXPECT_FALSE(with_form(newest, '1').has_value());
 }
 
 TEST(CaptureStep, AStepThatCannotBeIsSavedAsWell) {

@@ -1,4 +1,6 @@
 // surefoot replay of steps and sessions.
+#include <array>
+
 #include <surefoot/surefoot.hpp>
 
 #include "cli_program.hpp"
@@ -69,6 +71,21 @@ TEST_F(CliWhy, a_step_that_comes_out_otherwise_says_what_differs_first_and_fails
     const Outcome json = run("replay --json " + write("changed.json", text));
     EXPECT_EQ(nlohmann::json::parse(json.out)["same"], false);
     EXPECT_EQ(nlohmann::json::parse(json.out)["why"].size(), 2U);
+}
+
+TEST_F(CliWhy, a_neighbour_in_the_way_is_named) {
+    const CharacterState start{.position = {0, 0.91, 0}, .velocity = {4, 0, 0}, .footing = Footing::ground};
+    const std::array<Neighbour, 2> others{neighbour_of({}, {}, {.position = {0.83, 0.91, 0}}, 12),
+                                          neighbour_of({}, {}, {.position = {-0.6, 0.91, 0}}, 40)};
+    const std::string file = (folder_ / "met.json").string();
+    ASSERT_TRUE(write_capture(capture_step(world_, {}, input_, dt, start, others), file).has_value());
+    const Outcome replay = run("replay " + file);
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    EXPECT_TEXT(replay.out, " of 1 body, and 2 neighbours.");
+    EXPECT_TEXT(replay.out, "met a neighbour");
+    EXPECT_TEXT(replay.out, "too close to neighbour 40, and was moved out by");
+    EXPECT_TEXT(replay.out, "neighbour 12: it is hard, and in the way like a wall.");
+    EXPECT_EQ(nlohmann::json::parse(run("replay --json " + file).out)["neighbours"], 2);
 }
 
 TEST_F(CliWhy, a_session_is_played_again_on_its_level) {

@@ -9,11 +9,12 @@ namespace surefoot::tests {
 namespace {
 
 /// Makes one step and tells why it went as it did.
-std::string told(const World& world, Actor& actor, const CharacterInput& input = {}) {
+std::string told(const World& world, Actor& actor, const CharacterInput& input = {},
+                 std::span<const Neighbour> neighbours = {}) {
     std::vector<StepRecord> room(4096);
     StepTrace trace(room);
     StepStory story{actor.settings, input, actor.dt, actor.state, {}, {}, 0};
-    story.result = step(world, actor.settings, input, actor.dt, actor.state, {}, &trace);
+    story.result = step(world, actor.settings, input, actor.dt, actor.state, neighbours, &trace);
     story.records = trace.records();
     actor.state = story.result.state;
     return explain_text(story);
@@ -97,6 +98,37 @@ TEST(Why, WhoMayNotSlideIsToldThat) {
         text = told(world, actor, {.wish = {3, 0, 3}});
     }
     EXPECT_NE(text.find("response is stop"), std::string::npos) << text;
+}
+
+TEST(Why, ANeighbourInTheWayIsNamedAndWereItSoftItWouldNotBe) {
+    const World world = Scene().floor(-5, 5, -5, 5).world();
+    Actor actor;
+    actor.state.position = {0, 1, 0};
+    actor.run(world, 1);
+    Neighbour other = neighbour_of(actor.settings, {}, {.position = {0.815, 0.91, 0}}, 12);
+    const Actor before = actor;
+    EXPECT_EQ(told(world, actor, {.wish = {4, 0, 0}}, {&other, 1}),
+              "It got 7.5 % of the way that was wished, because of neighbour 12: it is hard, and in the way like a "
+              "wall.\n");
+    actor = before;
+    other.firmness = Firmness::soft;
+    EXPECT_EQ(told(world, actor, {.wish = {4, 0, 0}}, {&other, 1}), "Nothing stopped it: it went 0.008333 m.\n");
+}
+
+TEST(Why, WhoIsTooCloseToANeighbourIsToldByHowMuchAndToWhich) {
+    const World world = Scene().floor(-5, 5, -5, 5).world();
+    Actor actor;
+    actor.state.position = {0, 1, 0};
+    actor.run(world, 1);
+    const Neighbour others[] = {neighbour_of(actor.settings, {}, {.position = {0.78, 0.91, 0}}, 3),
+                                neighbour_of(actor.settings, {}, {.position = {0.7, 0.91, 0}}, 4)};
+    EXPECT_EQ(told(world, actor, {}, others),
+              "It was 0.105 m too close to neighbour 4, and was moved out by 0.055 m.\n");
+    const World narrow = Scene().floor(-5, 5, -5, 5).block({-3, 0, -5}, {-0.41, 2, 5}).world();
+    actor.state = {.position = {0, 1, 0}};
+    actor.run(narrow, 1);
+    EXPECT_EQ(told(narrow, actor, {}, others),
+              "It was 0.105 m too close to neighbour 4, and there was no room to move out.\n");
 }
 
 TEST(Why, ATraceThatIsTooSmallSaysHowMuchIsMissing) {

@@ -1,5 +1,6 @@
 // What the world does with its bodies: names, layers, limits, and what comes with a hit.
 #include <limits>
+#include <utility>
 
 #include "world_things.hpp"
 
@@ -7,6 +8,15 @@ namespace surefoot {
 namespace {
 
 using namespace tests;
+
+template <typename Source>
+concept CanBeAdded = requires(World& world, Source&& source) {
+    world.add(std::forward<Source>(source));
+};
+
+// A world refers to a source; of a mesh it holds a copy, which shares the triangles.
+static_assert(CanBeAdded<const VisitedSource&> && CanBeAdded<SourceView> && CanBeAdded<Mesh>);
+static_assert(!CanBeAdded<VisitedSource> && !CanBeAdded<const HeightField>);
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -12,6 +12,7 @@
 #include "level.hpp"
 #include "number.hpp"
 #include "query.hpp"
+#include "rollback.hpp"
 #include "suite.hpp"
 #include "text.hpp"
 
@@ -22,6 +23,7 @@ struct BenchOptionsGiven {
     std::vector<std::string> levels;
     std::vector<std::string> scenes;
     bench::SuiteOptions suite;
+    bool only_rollback = false;
     bool is_small = false;
     bool json = false;
 };
@@ -159,12 +161,44 @@ std::string json_of(const bench::Stage& stage, const std::vector<bench::Row>& ro
     return out + "]}";
 }
 
+std::string text_of(const bench::RollbackOptions& given, const bench::RollbackReport& report) {
+    std::string out = fmt::format(
+        "\nrollback: {} characters on {} moving lifts, {:.0f}% of them riding, {:.0f}% touching another; {} frames "
+        "played "
+        "again from a snapshot\n{} a frame (one in ten over {}), {} a character; {} to restore states and poses\n",
+        given.characters, given.lifts, 100 * report.riding, 100 * report.touching, given.frames,
+        short_time(report.frame), short_time(report.slow_frame), short_time(report.character),
+        short_time(report.restoring));
+    if (!report.first_differs) return out + fmt::format("{} hashes compared, all equal\n", grouped(report.compared));
+    return out + fmt::format("frame {} came out DIFFERENT when it was played again: this is a bug, please report it\n",
+                             *report.first_differs);
+}
+
+std::string json_of(const bench::RollbackOptions& given, const bench::RollbackReport& report) {
+    std::string out = fmt::format(R"({{"characters":{},"lifts":{},"frames":{},"compared":{},"first_differs":{})",
+                                  given.characters, given.lifts, given.frames, report.compared,
+                                  report.first_differs ? std::to_string(*report.first_differs) : "null");
+    const auto add = [&out](std::string_view name, double value) {
+        out += fmt::format(R"(,"{}":)", name);
+        append_number(out, value);
+    };
+    add("frame_ns", report.frame);
+    add("frame_p90_ns", report.slow_frame);
+    add("character_ns", report.character);
+    add("restoring_ns", report.restoring);
+    add("touching", report.touching);
+    add("riding", report.riding);
+    return out + "}";
+}
+
 ExitCode run_bench(BenchOptionsGiven given) {
     if (given.is_small) {
         given.suite.motions = std::min<std::size_t>(given.suite.motions, 256);
         given.suite.rounds = std::min<std::size_t>(given.suite.rounds, 3);
     }
-    if (given.scenes.empty() && given.levels.empty()) given.scenes = scene_names;
+    const bool all = given.scenes.empty() && given.levels.empty();
+    const bool with_rollback = given.only_rollback || (all && given.suite.only.empty());
+    if (all && !given.only_rollback) given.scenes = scene_names;
     std::vector<std::function<bench::Scene()>> makers;
     for (const std::string& name : given.scenes) makers.push_back([&] { return make_scene(name, given.is_small); });
     for (const std::string& file : given.levels) makers.push_back([&] { return scene_of_level(file); });
@@ -188,7 +222,15 @@ ExitCode run_bench(BenchOptionsGiven given) {
         write_out(given.json ? (is_first ? "" : ",") + json_of(stage, rows) : text_of(stage, rows));
         is_first = false;
     }
-    if (given.json) write_out("]}\n");
+    if (given.json) write_out("]");
+    if (with_rollback) {
+        bench::RollbackOptions options{.rounds = given.suite.rounds};
+        if (given.is_small) options.settling = 30;
+        const bench::RollbackReport report = bench::run_rollback(options);
+        all_right = all_right && !report.first_differs;
+        write_out(given.json ? R"(,"rollback":)" + json_of(options, report) : text_of(options, report));
+    }
+    if (given.json) write_out("}\n");
     return all_right ? ExitCode::ok : ExitCode::failed;
 }
 
@@ -219,15 +261,18 @@ void add_bench(CLI::App& program, Run& run) {
         ->check(CLI::Range(1, 10'000'000));
     command->add_option("--check", given->suite.checked, "Answers of each kind compared with brute force (default: 16)")
         ->type_name("N");
+    command->add_flag("--rollback", given->only_rollback,
+                      "Only the rollback: 8 frames of 64 characters on moving lifts, played again and compared");
     command->add_flag("--small", given->is_small, "Small scenes and few questions: does it run?");
     command->add_flag("--json", given->json, "Print JSON");
     command->footer(
         help_footer("  surefoot bench\n"
                     "  surefoot bench --scene terrain --only \"sphere sweep\"\n"
                     "  surefoot bench castle.glb --json\n"
+                    "  surefoot bench --rollback\n"
                     "\nE is Embree's closest ray on the long motions, in the same order, in the same run.\n"
-                    "Exit codes: 0 done, 1 an answer was not that of brute force, 2 wrong usage, 3 a level cannot "
-                    "be read."));
+                    "Exit codes: 0 done, 1 an answer was not that of brute force or a frame played again came out "
+                    "different,\n2 wrong usage, 3 a level cannot be read."));
     command->callback([given, &run] { run = [given] { return run_bench(*given); }; });
 }
 

@@ -46,7 +46,8 @@ std::string outcome_text(const std::string& level, const Session& session, const
 // The step of one tick, made once more in the world as it was then.
 StepCapture step_at(const Session& session, World& world, std::size_t tick) {
     const SessionReplay until = replay(session, world, tick + 1);
-    return capture_step(world, settings_of(session), session.ticks[tick].input, session.ticks[tick].dt, until.before);
+    const SessionTick& then = session.ticks[tick];
+    return capture_step(world, settings_of(session), then.input, then.dt, until.before, then.neighbours);
 }
 
 }  // namespace

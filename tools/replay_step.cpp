@@ -32,7 +32,8 @@ std::string events_text(const CharacterEvents& events) {
                                "grabbed a ledge",
                                "dropped from a ledge",
                                "climbed a ledge",
-                               "vaulted"};
+                               "vaulted",
+                               "met a neighbour"};
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if ((events.set >> i & 1U) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", names[i]);
@@ -77,8 +78,11 @@ std::string step_report(const std::string& file, const StepCapture& capture, con
     text += fmt::format("A step of {} s: {}, {}; it wishes for ({}) m/s{}.\n", short_number(capture.dt),
                         describe(capture.settings.volume), state_text(capture.before), short_vector(capture.input.wish),
                         capture.input.jump ? " and jumps" : "");
-    text += fmt::format("Near its way: {} of {}. Its story has {}.\n", counted(capture.triangles.size(), "triangle"),
-                        counted(capture.bodies.size(), "body", "bodies"), counted(capture.records.size(), "record"));
+    const std::size_t others = capture.neighbours.size();
+    text += fmt::format("Near its way: {} of {}{}. Its story has {}.\n", counted(capture.triangles.size(), "triangle"),
+                        counted(capture.bodies.size(), "body", "bodies"),
+                        others > 0 ? ", and " + counted(others, "neighbour") : "",
+                        counted(capture.records.size(), "record"));
     text += "Recorded:\n" + outcome_text(capture.after, capture.events);
     if (again.is_same()) {
         text += "Made again: the same, to the last bit.\n";
@@ -101,9 +105,9 @@ std::string step_json(const std::string& file, const StepCapture& capture, const
         text += json_string(sentence);
         is_first = false;
     }
-    return text + fmt::format(R"(],"hash":"{:016x}","triangles":{},"library":{},"note":{}}})"
+    return text + fmt::format(R"(],"hash":"{:016x}","triangles":{},"neighbours":{},"library":{},"note":{}}})"
                               "\n",
-                              hash(again.result.state), capture.triangles.size(),
+                              hash(again.result.state), capture.triangles.size(), capture.neighbours.size(),
                               json_string(version_text(capture.origin.library)), json_string(capture.note));
 }
 

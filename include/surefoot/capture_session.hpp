@@ -25,9 +25,10 @@ inline namespace v0 {
 /// One tick of a session.
 struct SessionTick {
     CharacterInput input{};
-    double dt = 0;                ///< [s]
-    std::uint64_t hash = 0;       ///< of the state that came out
-    std::vector<BodyPose> moved;  ///< the bodies that moved, or were put elsewhere, in this tick
+    double dt = 0;                      ///< [s]
+    std::uint64_t hash = 0;             ///< of the state that came out
+    std::vector<BodyPose> moved;        ///< the bodies that moved, or were put elsewhere, in this tick
+    std::vector<Neighbour> neighbours;  ///< that the step was given
 };
 
 /// What one character did from a state on.
@@ -51,7 +52,7 @@ struct Session {
 
 /// Adds a tick after `step` has made it.
 void record(Session& session, const CharacterInput& input, double dt, const CharacterState& after,
-            std::span<const BodyPose> moved = {});
+            std::span<const BodyPose> moved = {}, std::span<const Neighbour> neighbours = {});
 
 /// The settings with their table of surfaces, which is the session's: good as long as it is.
 [[nodiscard]] CharacterSettings settings_of(const Session& session) noexcept;
@@ -75,8 +76,8 @@ struct SessionReplay {
 /// The file's text.
 [[nodiscard]] std::string session_text(const Session& session);
 
-/// Reads the text of a file, as strictly as `parse_capture` and with the same errors; `limit` beyond 2^20 ticks or 2^20
-/// poses.
+/// Reads the text of a file, as strictly as `parse_capture` and with the same errors; `limit` beyond 2^20 ticks, poses
+/// or neighbours.
 [[nodiscard]] Expected<Session> parse_session(std::string_view text, std::string_view file = {});
 
 /// Writes the file. Whoever looks finds the whole old file or the whole new one. Fails with `write_failed`.
@@ -92,6 +93,8 @@ struct RingTick {
     CharacterState before{};
     std::uint64_t first_pose = 0;  ///< of all that were ever pushed
     std::uint64_t pose_count = 0;
+    std::uint64_t first_neighbour = 0;  ///< of all that were ever pushed
+    std::uint64_t neighbour_count = 0;
 };
 
 static_assert(std::is_trivially_copyable_v<RingTick>);
@@ -100,13 +103,14 @@ static_assert(std::is_trivially_copyable_v<RingTick>);
 class StepRing {
 public:
     /// `ticks` is the room: 60 a second at 60 Hz. `poses` is room for those of moving bodies, as many as move in all of
-    /// these ticks; a tick whose poses are gone is gone itself.
-    explicit StepRing(std::span<RingTick> ticks, std::span<BodyPose> poses = {}) noexcept
-        : ticks_(ticks), poses_(poses) {}
+    /// these ticks, and `neighbours` for all that the steps are given; a tick of which some are gone is gone itself.
+    explicit StepRing(std::span<RingTick> ticks, std::span<BodyPose> poses = {},
+                      std::span<Neighbour> neighbours = {}) noexcept
+        : ticks_(ticks), poses_(poses), neighbours_(neighbours) {}
 
-    /// Keeps what a step is made of; `moved` are the bodies that move in this tick.
+    /// Keeps what a step is made of; `moved` are the bodies that move in this tick, `neighbours` what `step` is given.
     void push(const CharacterInput& input, double dt, const CharacterState& before,
-              std::span<const BodyPose> moved = {}) noexcept;
+              std::span<const BodyPose> moved = {}, std::span<const Neighbour> neighbours = {}) noexcept;
 
     /// How many of the last ticks are there.
     [[nodiscard]] std::size_t size() const noexcept;
@@ -117,14 +121,19 @@ public:
     /// A pose of that tick. Requires: `pose` < its `pose_count`.
     [[nodiscard]] const BodyPose& pose(const RingTick& tick, std::size_t pose) const noexcept;
 
+    /// A neighbour of that tick. Requires: `neighbour` < its `neighbour_count`.
+    [[nodiscard]] const Neighbour& neighbour(const RingTick& tick, std::size_t neighbour) const noexcept;
+
     /// Forgets all, as when settings change or a character is put elsewhere by hand.
     void clear() noexcept { pushed_ = 0; }
 
 private:
     std::span<RingTick> ticks_;
     std::span<BodyPose> poses_;
+    std::span<Neighbour> neighbours_;
     std::uint64_t pushed_ = 0;
     std::uint64_t poses_pushed_ = 0;
+    std::uint64_t neighbours_pushed_ = 0;
 };
 
 /// The ticks of a ring as a session that ends with the state `now`. Bodies that do not move stand where they are in

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,20 +26,22 @@ struct StepCapture {
     CharacterInput input{};
     double dt = 0;  ///< [s]
     CharacterState before{};
-    CharacterState after{};  ///< as it came out
+    std::vector<Neighbour> neighbours;  ///< that the step was given, in their order
+    CharacterState after{};             ///< as it came out
     CharacterEvents events{};
     std::vector<StepRecord> records;          ///< the whole story
     std::vector<CapturedTriangle> triangles;  ///< that the step asked for, by (body, id), each once
-    std::vector<CapturedBody> bodies;         ///< of those triangles, and what carries it, by number, each once
+    std::vector<CapturedBody> bodies;         ///< of those, and what carries it or a neighbour, by number
     CaptureOrigin origin{};
     std::string note;  ///< yours: where it happened, what you expected [UTF-8]
 };
 
-/// Makes the step, as without neighbours (they are not kept), and keeps what it asked the world's bodies for. The state
-/// is not changed; `after` is what `step` would return. Guarantees: `replay` of the capture gives the very bits that
-/// `step` gave.
+/// Makes the step and keeps what it was given and what it asked the world's bodies for. The state is not changed;
+/// `after` is what `step` would return. Guarantees: `replay` of the capture gives the very bits that `step` gave. Of a
+/// character in a crowd the neighbours are those that `Crowd::neighbours` lists, gathered before anybody stepped.
 [[nodiscard]] StepCapture capture_step(const World& world, const CharacterSettings& settings,
-                                       const CharacterInput& input, double dt, const CharacterState& state);
+                                       const CharacterInput& input, double dt, const CharacterState& state,
+                                       std::span<const Neighbour> neighbours = {});
 
 /// The settings with their table of surfaces, which is the capture's: good as long as it is.
 [[nodiscard]] CharacterSettings settings_of(const StepCapture& capture) noexcept;
@@ -63,7 +66,7 @@ struct StepReplay {
 [[nodiscard]] std::string capture_text(const StepCapture& capture);
 
 /// Reads the text of a file, as strictly as `parse_capture` and with the same errors; `limit` also beyond 2^20 records
-/// or 2^16 surfaces.
+/// or 2^16 surfaces or neighbours.
 [[nodiscard]] Expected<StepCapture> parse_step_capture(std::string_view text, std::string_view file = {});
 
 /// Writes the file. Whoever looks finds the whole old file or the whole new one. Fails with `write_failed`.

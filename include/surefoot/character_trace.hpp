@@ -43,7 +43,8 @@ enum class StepAct : std::uint8_t {
     crushed,
     stuck,
     overflow,       ///< more triangles or planes than there is room for
-    parted,         ///< neighbours overlapped it, and it was moved out by `motion`
+    parted,         ///< neighbours overlapped it, and it was moved out by `motion`; the one with the id `body` was the
+                    ///< deepest in it, and was to be left by `value` [m]
     met_neighbour,  ///< the neighbour with the id `body` was met after `value` of the pass, and is obeyed from now on
 };
 

@@ -17,6 +17,7 @@
 ///    deeper than `turn_gap` unreported, and a reported hit is at most `turn_gap` away.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -133,6 +134,10 @@ public:
     /// Places any other source. The world refers to it, so it must outlive the body, and it may not change while a
     /// query runs. Fails as above.
     Expected<BodyHandle> add(const SourceView& source, const Placement& placement = {});
+    template <TriangleSource Gone>
+    requires(!std::same_as<Gone, Mesh> &&
+             !std::same_as<Gone, SourceView>) void add(const Gone&& does_not_live_long_enough,
+                                                       const Placement& placement = {}) = delete;
 
     /// Takes a body out. Requires: it is in; asserts otherwise, and with asserts off does nothing and says false.
     bool remove(BodyHandle handle) noexcept;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include <surefoot/capture_step.hpp>
@@ -35,12 +36,18 @@ struct ListeningWorld {
     }
 };
 
+// Bodies that carry the character or one of its neighbours move them, whatever is asked of their triangles.
+bool carries(const StepCapture& capture, std::uint32_t body) noexcept {
+    const auto carried = [&](const Neighbour& one) { return one.is_carried && one.carrier == body; };
+    return (capture.before.footing != Footing::air && capture.before.ground_body == body) ||
+           std::any_of(capture.neighbours.begin(), capture.neighbours.end(), carried);
+}
+
 void keep_heard(StepCapture& capture, const ListeningWorld& heard) {
     for (std::size_t i = 0; i < heard.listeners.size(); ++i) {
         const Listener& listener = *heard.listeners[i];
         const BodyPose& pose = heard.poses[i];
-        const bool carries = capture.before.footing != Footing::air && capture.before.ground_body == pose.body;
-        if (!listener.was_asked() && !carries) continue;
+        if (!listener.was_asked() && !carries(capture, pose.body)) continue;
         capture.bodies.push_back(
             {.body = pose.body, .start = pose.start, .end = pose.end, .bounds = listener.bounds()});
         for (const std::uint32_t id : listener.heard()) {
@@ -53,7 +60,7 @@ void keep_heard(StepCapture& capture, const ListeningWorld& heard) {
 }  // namespace
 
 StepCapture capture_step(const World& world, const CharacterSettings& settings, const CharacterInput& input, double dt,
-                         const CharacterState& state) {
+                         const CharacterState& state, std::span<const Neighbour> neighbours) {
     const IeeeGuard guard;
     StepCapture capture;
     capture.settings = settings;
@@ -62,12 +69,13 @@ StepCapture capture_step(const World& world, const CharacterSettings& settings, 
     capture.input = input;
     capture.dt = dt;
     capture.before = state;
+    capture.neighbours.assign(neighbours.begin(), neighbours.end());
     capture.origin = {.library = library_version(), .abi = abi_name, .format = step_form};
     const ListeningWorld listening(world);
     for (std::size_t room = usual_records;;) {
         capture.records.resize(room);
         StepTrace trace(capture.records);
-        const StepResult result = step(listening.world, settings, input, dt, state, {}, &trace);
+        const StepResult result = step(listening.world, settings, input, dt, state, neighbours, &trace);
         room = trace.records().size() + trace.dropped();
         capture.records.resize(trace.records().size());
         capture.after = result.state;

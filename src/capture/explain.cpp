@@ -108,7 +108,8 @@ private:
         if (story_.settings.response == Response::stop) {
             say("It stays there and does not slide on, because response is stop.", in_the_way[0]);
         }
-        tell_steps(leg);
+        // Nobody steps on to another.
+        if (in_the_way[0].act != StepAct::met_neighbour) tell_steps(leg);
     }
 
     struct Met {
@@ -125,7 +126,7 @@ private:
             if (record.act == StepAct::step_refused || record.act == StepAct::stepped_up) tries_step = false;
             const Vec normal = to_vec(record.normal);
             if (tries_step || !(dot(normal, towards) < -squarely)) continue;
-            if (record.act == StepAct::obeyed) {
+            if (record.act == StepAct::obeyed || record.act == StepAct::met_neighbour) {
                 const auto is_same = [&](const Met& other) { return dot(other.plane, normal) > 1 - 1e-6; };
                 if (std::none_of(met.begin(), met.end(), is_same)) met.push_back({record, normal});
             } else if (record.act == StepAct::wall && !met.empty() && is_same_triangle(met.back().record, record)) {
@@ -146,7 +147,7 @@ private:
     }
 
     static bool is_same_triangle(const StepRecord& a, const StepRecord& b) noexcept {
-        return a.triangle == b.triangle && a.body == b.body;
+        return a.act != StepAct::met_neighbour && a.triangle == b.triangle && a.body == b.body;
     }
 
     // Of several looks for a step the last one tells.

@@ -19,6 +19,9 @@ namespace surefoot::internal {
 [[nodiscard]] constexpr const auto& words_of(Response) noexcept {
     return response_words;
 }
+[[nodiscard]] constexpr const auto& words_of(Firmness) noexcept {
+    return firmness_words;
+}
 [[nodiscard]] constexpr const auto& words_of(SlopeSpeed) noexcept {
     return slope_speed_words;
 }
@@ -100,6 +103,23 @@ void write_fields(Writer& w, const Struct& from, std::string_view before) {
     w.word("}");
 }
 
+/// Each after `before`, or all on one line.
+inline void write_neighbours(Writer& w, const std::vector<Neighbour>& neighbours, std::string_view before = {}) {
+    w.word("\"neighbours\": [");
+    for (const Neighbour& one : neighbours) {
+        if (&one != neighbours.data()) w.word(before.empty() ? ", " : ",");
+        w.word(before);
+        write_fields(w, one);
+    }
+    w.word("]");
+}
+
+/// How many of a struct's fields, the last ones, came with the newest form of the files.
+template <typename Struct>
+inline constexpr std::size_t newest_fields = 0;
+template <>
+inline constexpr std::size_t newest_fields<CharacterSettings> = 1;  // firmness
+
 /// Reads objects that `write_fields` has written. Rules for surfaces are put into a list of the caller's.
 class FieldReader {
 public:
@@ -107,16 +127,29 @@ public:
 
     FieldReader(JsonReader& in, std::vector<SurfaceRule>& surfaces) noexcept : in_(in), surfaces_(surfaces) {}
 
+    /// True if the newest fields are there.
     template <typename Struct>
-    void read(Struct& to) {
+    bool read(Struct& to) {
         std::array<std::string_view, 64> names;
         std::size_t count = 0;
         visit_fields(to, [&](const char* name, auto&) { names[count++] = name; });
-        in_.object(std::span(names).first(count), count, [&](std::size_t wanted) {
+        const std::size_t required = count - newest_fields<Struct>;
+        const auto seen = in_.object(std::span(names).first(count), required, [&](std::size_t wanted) {
             std::size_t i = 0;
             visit_fields(to, [&](const char*, auto& field) {
                 if (i++ == wanted) read_field(field);
             });
+        });
+        return seen >> required != 0;
+    }
+
+    /// Fails if `to` would get more than `most`.
+    void read_neighbours(std::vector<Neighbour>& to, std::size_t most) {
+        in_.array([&] {
+            Neighbour one;
+            read(one);
+            if (to.size() == most) in_.fail("more neighbours than there may be", ErrorCode::limit);
+            if (in_.good()) to.push_back(one);
         });
     }
 

@@ -14,15 +14,25 @@ namespace {
 
 constexpr std::size_t most_records = std::size_t{1} << 20U;
 
-void read_step(JsonReader& in, StepCapture& capture) {
-    constexpr std::array<std::string_view, 4> names{"settings", "input", "dt", "before"};
+constexpr std::size_t most_kept_neighbours = std::size_t{1} << 16U;
+
+// What came with the newest form.
+struct Newest {
+    bool firmness = false;
+    bool neighbours = false;
+};
+
+void read_step(JsonReader& in, StepCapture& capture, Newest& newest) {
+    constexpr std::array<std::string_view, 5> names{"settings", "input", "dt", "before", "neighbours"};
     FieldReader fields(in, capture.surfaces);
-    in.object(names, names.size(), [&](std::size_t i) {
-        if (i == 0) fields.read(capture.settings);
+    const auto seen = in.object(names, 4, [&](std::size_t i) {
+        if (i == 0) newest.firmness = fields.read(capture.settings);
         if (i == 1) fields.read(capture.input);
         if (i == 2) capture.dt = in.number();
         if (i == 3) fields.read(capture.before);
+        if (i == 4) fields.read_neighbours(capture.neighbours, most_kept_neighbours);
     });
+    newest.neighbours = seen >> 4U != 0;
 }
 
 void read_records(JsonReader& in, StepCapture& capture) {
@@ -44,13 +54,14 @@ StepCapture read_whole(JsonReader& in) {
     constexpr std::array<std::string_view, 10> names{
         "surefoot_capture", "library", "abi", "note", "step", "after", "events", "records", "bodies", "triangles"};
     StepCapture capture;
+    Newest newest;
     FieldReader fields(in, capture.surfaces);
     in.object(names, names.size(), [&](std::size_t i) {
-        if (i == 0) capture.origin.format = read_format(in, step_form, step_form);
+        if (i == 0) capture.origin.format = read_format(in, first_step_form, step_form);
         if (i == 1) capture.origin.library = read_version(in);
         if (i == 2) capture.origin.abi = in.text();
         if (i == 3) capture.note = in.text();
-        if (i == 4) read_step(in, capture);
+        if (i == 4) read_step(in, capture, newest);
         if (i == 5) fields.read(capture.after);
         if (i == 6) fields.read(capture.events);
         if (i == 7) read_records(in, capture);
@@ -58,6 +69,9 @@ StepCapture read_whole(JsonReader& in) {
         if (i == 9) read_triangles(in, capture.triangles);
     });
     in.end();
+    const bool is_newest = capture.origin.format == step_form;
+    if (in.good()) check_newest(in, "firmness", newest.firmness, is_newest);
+    if (in.good()) check_newest(in, "neighbours", newest.neighbours, is_newest);
     if (in.good() && capture.bodies.empty() && !capture.triangles.empty()) {
         in.fail("a triangle is of a body that is not in the file");
     }

@@ -115,6 +115,11 @@ std::uint32_t read_format(JsonReader& in, std::uint32_t oldest, std::uint32_t ne
     return format;
 }
 
+void check_newest(JsonReader& in, std::string_view name, bool is_there, bool is_newest) {
+    if (is_there == is_newest) return;
+    in.fail(joined({"\"", name, is_there ? "\" means nothing in a file of this form" : "\" is missing"}));
+}
+
 void check_bodies_known(JsonReader& in, const std::vector<CapturedTriangle>& triangles,
                         const std::vector<CapturedBody>& bodies) {
     for (const CapturedTriangle& one : triangles) {

@@ -49,8 +49,8 @@ StepReplay replay(const StepCapture& capture) {
         for (std::size_t room = std::max<std::size_t>(capture.records.size(), 1);;) {
             again.records.resize(room);
             StepTrace trace(again.records);
-            again.result =
-                step(captured.get(), settings_of(capture), capture.input, capture.dt, capture.before, {}, &trace);
+            again.result = step(captured.get(), settings_of(capture), capture.input, capture.dt, capture.before,
+                                capture.neighbours, &trace);
             room = trace.records().size() + trace.dropped();
             again.records.resize(trace.records().size());
             if (trace.dropped() == 0) break;

@@ -6,23 +6,31 @@ namespace surefoot {
 inline namespace v0 {
 
 void StepRing::push(const CharacterInput& input, double dt, const CharacterState& before,
-                    std::span<const BodyPose> moved) noexcept {
+                    std::span<const BodyPose> moved, std::span<const Neighbour> neighbours) noexcept {
     if (ticks_.empty()) return;
-    if (moved.size() > poses_.size()) {  // no room for even this one: what is before it would end in a hole
+    if (moved.size() > poses_.size() ||
+        neighbours.size() > neighbours_.size()) {  // no room for even this one: what is before it would end in a hole
         pushed_ = 0;
         return;
     }
-    ticks_[pushed_ % ticks_.size()] = {input, dt, before, poses_pushed_, moved.size()};
+    ticks_[pushed_ % ticks_.size()] = {
+        input, dt, before, poses_pushed_, moved.size(), neighbours_pushed_, neighbours.size()};
     for (const BodyPose& pose : moved) poses_[poses_pushed_++ % poses_.size()] = pose;
+    for (const Neighbour& one : neighbours) neighbours_[neighbours_pushed_++ % neighbours_.size()] = one;
     ++pushed_;
 }
 
 std::size_t StepRing::size() const noexcept {
     std::size_t count = pushed_ < ticks_.size() ? static_cast<std::size_t>(pushed_) : ticks_.size();
-    const std::uint64_t oldest_pose = poses_pushed_ > poses_.size() ? poses_pushed_ - poses_.size() : 0;
+    const auto is_kept = [](std::uint64_t first, std::uint64_t number, std::uint64_t pushed, std::uint64_t room) {
+        return number == 0 || first + room >= pushed;
+    };
     for (; count > 0; --count) {
         const RingTick& tick = ticks_[(pushed_ - count) % ticks_.size()];
-        if (tick.pose_count == 0 || tick.first_pose >= oldest_pose) break;
+        if (is_kept(tick.first_pose, tick.pose_count, poses_pushed_, poses_.size()) &&
+            is_kept(tick.first_neighbour, tick.neighbour_count, neighbours_pushed_, neighbours_.size())) {
+            break;
+        }
     }
     return count;
 }
@@ -38,6 +46,11 @@ const BodyPose& StepRing::pose(const RingTick& tick, std::size_t pose) const noe
     return poses_[(tick.first_pose + pose) % poses_.size()];
 }
 
+const Neighbour& StepRing::neighbour(const RingTick& tick, std::size_t neighbour) const noexcept {
+    assert(neighbour < tick.neighbour_count && "StepRing: the tick has no such neighbour");
+    return neighbours_[(tick.first_neighbour + neighbour) % neighbours_.size()];
+}
+
 Session session_of(const StepRing& ring, const World& world, const CharacterSettings& settings,
                    const CharacterState& now) {
     const std::size_t count = ring.size();
@@ -46,7 +59,9 @@ Session session_of(const StepRing& ring, const World& world, const CharacterSett
         const RingTick& tick = ring[i];
         std::vector<BodyPose> moved;
         for (std::size_t k = 0; k < tick.pose_count; ++k) moved.push_back(ring.pose(tick, k));
-        record(session, tick.input, tick.dt, i + 1 < count ? ring[i + 1].before : now, moved);
+        std::vector<Neighbour> neighbours;
+        for (std::size_t k = 0; k < tick.neighbour_count; ++k) neighbours.push_back(ring.neighbour(tick, k));
+        record(session, tick.input, tick.dt, i + 1 < count ? ring[i + 1].before : now, moved, neighbours);
     }
     return session;
 }

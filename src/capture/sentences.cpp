@@ -50,6 +50,7 @@ Speaker::Speaker(const StepStory& told) noexcept : story(told) {
 }
 
 std::string Speaker::name(const StepRecord& record) const {
+    if (record.act == StepAct::met_neighbour) return joined({"neighbour ", std::to_string(record.body)});
     return joined({"triangle ", std::to_string(record.triangle), " of body ", std::to_string(record.body)});
 }
 
@@ -74,6 +75,7 @@ std::string Speaker::ledge(const StepRecord& record) const {
 }
 
 std::string Speaker::lie(const StepRecord& record) const {
+    if (record.act == StepAct::met_neighbour) return "it is hard, and in the way like a wall";
     const std::string part = part_of(record);
     if (record.rule == StepRule::slope_limit) {
         if (record.feature == Feature::face) return part + " " + slope(record);
@@ -161,6 +163,10 @@ std::string Speaker::act(const StepRecord& record) const {
             return joined({"What moves took it along by ", way, "."});
         case StepAct::recovered:
             return joined({"It was too close to something, and was moved out by ", way, "."});
+        case StepAct::parted:
+            return joined({"It was ", metres(record.value), " too close to neighbour ", std::to_string(record.body),
+                           record.motion == dvec3{0, 0, 0} ? ", and there was no room to move out."
+                                                           : ", and was moved out by " + way + "."});
         case StepAct::stuck:
             return "It is stuck: it begins inside of something, and there is no way out that crosses nothing.";
         case StepAct::crushed:

@@ -75,8 +75,9 @@ Session begin_session(const World& world, const CharacterSettings& settings, con
 }
 
 void record(Session& session, const CharacterInput& input, double dt, const CharacterState& after,
-            std::span<const BodyPose> moved) {
-    session.ticks.push_back({input, dt, hash(after), {moved.begin(), moved.end()}});
+            std::span<const BodyPose> moved, std::span<const Neighbour> neighbours) {
+    session.ticks.push_back(
+        {input, dt, hash(after), {moved.begin(), moved.end()}, {neighbours.begin(), neighbours.end()}});
 }
 
 CharacterSettings settings_of(const Session& session) noexcept {
@@ -99,7 +100,7 @@ SessionReplay replay(const Session& session, World& world, std::size_t most) {
         again.wrong = place(world, tick.moved);
         if (!again.wrong.empty()) break;
         again.before = again.after;
-        again.after = step(world, settings, tick.input, tick.dt, again.before).state;
+        again.after = step(world, settings, tick.input, tick.dt, again.before, tick.neighbours).state;
         ++again.ticks;
         if (hash(again.after) == tick.hash) continue;
         again.first_differs = again.ticks - 1;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_ticks = std::size_t{1} << 20U;
 constexpr std::size_t most_poses = std::size_t{1} << 20U;
+constexpr std::size_t most_kept_neighbours = std::size_t{1} << 20U;
 
 void write_body_pose(Writer& w, const BodyPose& pose) {
     w.word("{");
@@ -33,7 +34,9 @@ void write_tick(Writer& w, const SessionTick& tick) {
         if (&pose != tick.moved.data()) w.word(", ");
         write_body_pose(w, pose);
     }
-    w.word("]}");
+    w.word("], ");
+    write_neighbours(w, tick.neighbours);
+    w.word("}");
 }
 
 class SessionReader {
@@ -43,18 +46,23 @@ public:
     Session read() {
         constexpr std::array<std::string_view, 9> names{"surefoot_session", "library", "abi",    "note", "level",
                                                         "settings",         "first",   "bodies", "ticks"};
+        bool has_firmness = false;
         in_.object(names, names.size(), [&](std::size_t i) {
-            if (i == 0) session_.origin.format = read_format(in_, session_form, session_form);
+            if (i == 0) session_.origin.format = read_format(in_, first_session_form, session_form);
             if (i == 1) session_.origin.library = read_version(in_);
             if (i == 2) session_.origin.abi = in_.text();
             if (i == 3) session_.note = in_.text();
             if (i == 4) session_.level = in_.bits();
-            if (i == 5) fields_.read(session_.settings);
+            if (i == 5) has_firmness = fields_.read(session_.settings);
             if (i == 6) fields_.read(session_.first);
             if (i == 7) read_poses(session_.bodies);
             if (i == 8) read_ticks();
         });
         in_.end();
+        const bool is_newest = session_.origin.format == session_form;
+        if (in_.good()) check_newest(in_, "firmness", has_firmness, is_newest);
+        const bool fits = with_neighbours_ == (is_newest ? session_.ticks.size() : 0);
+        if (in_.good() && !fits) check_newest(in_, "neighbours", !is_newest, is_newest);
         return std::move(session_);
     }
 
@@ -68,13 +76,14 @@ private:
     }
 
     SessionTick read_tick() {
-        constexpr std::array<std::string_view, 4> names{"input", "dt", "hash", "moved"};
+        constexpr std::array<std::string_view, 5> names{"input", "dt", "hash", "moved", "neighbours"};
         SessionTick tick;
-        in_.object(names, names.size(), [&](std::size_t i) {
+        in_.object(names, 4, [&](std::size_t i) {
             if (i == 0) fields_.read(tick.input);
             if (i == 1) tick.dt = in_.number();
             if (i == 2) tick.hash = in_.bits();
             if (i == 3) read_poses(tick.moved);
+            if (i == 4) read_neighbours(tick.neighbours);
         });
         return tick;
     }
@@ -93,10 +102,18 @@ private:
         });
     }
 
+    void read_neighbours(std::vector<Neighbour>& neighbours) {
+        fields_.read_neighbours(neighbours, most_kept_neighbours - neighbours_);
+        neighbours_ += neighbours.size();
+        ++with_neighbours_;
+    }
+
     JsonReader& in_;
     Session session_;
     FieldReader fields_;
     std::size_t poses_ = 0;
+    std::size_t neighbours_ = 0;
+    std::size_t with_neighbours_ = 0;  // ticks that tell theirs
 };
 
 }  // namespace

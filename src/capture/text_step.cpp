@@ -21,6 +21,8 @@ std::string capture_text(const StepCapture& capture) {
     w.number(capture.dt);
     w.word(",\n    \"before\": ");
     write_fields(w, capture.before, "\n      ");
+    w.word(",\n    ");
+    write_neighbours(w, capture.neighbours, "\n      ");
     w.word("\n  },\n  \"after\": ");
     write_fields(w, capture.after, "\n    ");
     w.word(",\n  \"events\": ");

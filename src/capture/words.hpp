@@ -15,23 +15,24 @@ inline constexpr std::array<std::string_view, 3> feature_words{"face", "edge", "
 inline constexpr std::array<std::string_view, 3> status_words{"ok", "invalid", "overflow"};
 
 inline constexpr std::array<std::string_view, 2> response_words{"slide", "stop"};
+inline constexpr std::array<std::string_view, 2> firmness_words{"hard", "soft"};
 inline constexpr std::array<std::string_view, 2> slope_speed_words{"level", "along"};
 inline constexpr std::array<std::string_view, 4> footing_words{"air", "ground", "steep", "ledge"};
 inline constexpr std::array<std::string_view, 4> mode_words{"walk", "swim", "fly", "own"};
 inline constexpr std::array<std::string_view, 4> form_words{"standing", "crouched", "in_air", "on_ramp"};
 inline constexpr std::array<std::string_view, 3> hold_words{"none", "hanging", "climbing"};
-inline constexpr std::array<std::string_view, 29> act_words{
-    "carried",      "recovered",     "wants",        "pass",           "touch",        "obeyed",
-    "passed_over",  "seam",          "wall",         "gave_up_rising", "rested",       "step_tried",
-    "step_refused", "stepped_up",    "ground",       "no_ground",      "snapped_down", "jumped",
-    "landed",       "left_ground",   "jump_refused", "changed_form",   "form_refused", "ledge_wall",
-    "ledge_edge",   "ledge_refused", "crushed",      "stuck",          "overflow"};
+inline constexpr std::array<std::string_view, 31> act_words{
+    "carried",      "recovered",    "wants",          "pass",       "touch",         "obeyed",       "passed_over",
+    "seam",         "wall",         "gave_up_rising", "rested",     "step_tried",    "step_refused", "stepped_up",
+    "ground",       "no_ground",    "snapped_down",   "jumped",     "landed",        "left_ground",  "jump_refused",
+    "changed_form", "form_refused", "ledge_wall",     "ledge_edge", "ledge_refused", "crushed",      "stuck",
+    "overflow",     "parted",       "met_neighbour"};
 inline constexpr std::array<std::string_view, 11> rule_words{
     "none",          "slope_limit",    "step_height", "head_room", "no_advance", "not_higher",
     "snap_distance", "perch_distance", "slippery",    "steps_off", "coyote_time"};
 
 // Whoever adds an act or a rule adds its word.
-static_assert(act_words.size() == static_cast<std::size_t>(StepAct::overflow) + 1);
+static_assert(act_words.size() == static_cast<std::size_t>(StepAct::met_neighbour) + 1);
 static_assert(rule_words.size() == static_cast<std::size_t>(StepRule::coyote_time) + 1);
 
 /// "unknown", which no reader takes, for a value that is none of the enumeration's.

@@ -56,6 +56,7 @@ void visit_fields(T& s, const Visit& visit) {
     visit("vault_height", s.vault_height);
     visit("surfaces", s.surfaces);
     visit("longest_tick", s.longest_tick);
+    visit("firmness", s.firmness);
 }
 
 template <Either<SurfaceRule> T, typename Visit>
@@ -112,6 +113,17 @@ void visit_fields(T& events, const Visit& visit) {
     visit("blocked_triangle", events.blocked_triangle);
 }
 
+template <Either<Neighbour> T, typename Visit>
+void visit_fields(T& neighbour, const Visit& visit) {
+    visit("volume", neighbour.volume);
+    visit("position", neighbour.position);
+    visit("velocity", neighbour.velocity);
+    visit("id", neighbour.id);
+    visit("carrier", neighbour.carrier);
+    visit("is_carried", neighbour.is_carried);
+    visit("firmness", neighbour.firmness);
+}
+
 template <Either<StepRecord> T, typename Visit>
 void visit_fields(T& record, const Visit& visit) {
     visit("act", record.act);
@@ -129,6 +141,7 @@ void visit_fields(T& record, const Visit& visit) {
 
 // Whoever adds a field here adds it above.
 static_assert(sizeof(CharacterSettings) == 560 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
-              sizeof(CharacterState) == 208 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128);
+              sizeof(CharacterState) == 208 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128 &&
+              sizeof(Neighbour) == 128);
 
 }  // namespace surefoot::internal

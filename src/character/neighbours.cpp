@@ -133,7 +133,8 @@ double Neighbours::first(const Vec& from, const Vec& motion, double limit) const
     return t;
 }
 
-Vec Neighbours::way_apart(const Vec& position, double farthest, double softly) const noexcept {
+Neighbours::Parting Neighbours::way_apart(const Vec& position, double farthest, double softly) const noexcept {
+    Parting parting;
     std::array<Push, most_neighbours> pushes;
     std::size_t count = 0;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -145,10 +146,14 @@ Vec Neighbours::way_apart(const Vec& position, double farthest, double softly) c
         if (!push) continue;
         const double share = 0.5 * (push->depth + 0.5 * skin_);
         pushes[count++] = {push->normal, is_soft ? smaller(share, softly) : share};
+        if (push->depth <= parting.depth) continue;
+        parting.depth = push->depth;
+        parting.id = given_[i].id;
     }
-    const Vec way = way_out_of({pushes.data(), count}, 1e-9 * skin_);
-    const double distance = length(way);
-    return distance > farthest ? way * (farthest / distance) : way;
+    parting.way = way_out_of({pushes.data(), count}, 1e-9 * skin_);
+    const double distance = length(parting.way);
+    if (distance > farthest) parting.way = parting.way * (farthest / distance);
+    return parting;
 }
 
 }  // namespace surefoot::internal

@@ -40,9 +40,16 @@ public:
     /// The time of the first of these, if that is before `limit`; else `limit`.
     [[nodiscard]] double first(const Vec& from, const Vec& motion, double limit) const noexcept;
 
+    /// The way out of what overlaps the body.
+    struct Parting {
+        Vec way;               ///< [m]
+        std::uint32_t id = 0;  ///< of the one that is deepest in it
+        double depth = 0;      ///< by so much [m], half a skin included
+    };
+
     /// The body's share, one half, of the way out of all that it overlaps: by at most `farthest` [m], and by at most
     /// `softly` [m] out of each of the soft ones.
-    [[nodiscard]] Vec way_apart(const Vec& position, double farthest, double softly) const noexcept;
+    [[nodiscard]] Parting way_apart(const Vec& position, double farthest, double softly) const noexcept;
 
 private:
     struct Met {

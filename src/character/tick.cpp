@@ -159,12 +159,16 @@ void part(Tick& tick) noexcept {
     if (tick.neighbours.empty()) return;
     tick.neighbours.place(tick.world(), tick.position, tick.velocity, tick.whole, tick.part);
     if (tick.neighbours.overflow()) tick.say(CharacterEvent::overflow);
-    Vec way = tick.neighbours.way_apart(tick.position, recovery_speed * tick.dt, soft_parting_speed * tick.dt);
-    if (tick.state.footing == Footing::ground) way = tick.level(way);
+    const Neighbours::Parting parting =
+        tick.neighbours.way_apart(tick.position, recovery_speed * tick.dt, soft_parting_speed * tick.dt);
+    const Vec way = tick.state.footing == Footing::ground ? tick.level(parting.way) : parting.way;
     if (way == Vec{}) return;
     const Vec before = tick.position;
     tick.position = slide(tick.surroundings, tick.body, tick.gait, before, way, {}).position;
-    tick.tell({.motion = to_dvec3(tick.position - before), .act = StepAct::parted});
+    tick.tell({.motion = to_dvec3(tick.position - before),
+               .value = parting.depth,
+               .body = parting.id,
+               .act = StepAct::parted});
 }
 
 StepResult tick_once(const TickArguments& arguments) noexcept {
