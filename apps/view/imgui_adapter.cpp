@@ -104,6 +104,12 @@ bool ImGuiAdapter::event(const InputEvent& event) {
         io.KeyCtrl = held.control;
         io.KeyAlt = held.alt;
     };
+    // A pointer that nobody sees is over no widget.
+    const bool captured = display_.is_pointer_captured();
+    if (captured) io.MousePos = ImVec2(-1e6F, -1e6F);
+    if (captured && (std::holds_alternative<PointerMove>(event) || std::holds_alternative<ButtonPress>(event) ||
+                     std::holds_alternative<WheelTurn>(event)))
+        return false;
     if (const auto* const move = std::get_if<PointerMove>(&event)) {
         hold(move->held);
         io.MousePos = ImVec2(static_cast<float>(move->at.x), static_cast<float>(move->at.y));

@@ -159,6 +159,25 @@ void WindowEvents::close() {
     waiting.emplace_back(CloseRequest{});
 }
 
+void WindowEvents::gamepad(const GLFWgamepadstate* state) {
+    // Ours have the order of GLFW's.
+    static_assert(static_cast<int>(PadButton::left) == GLFW_GAMEPAD_BUTTON_LAST &&
+                  static_cast<int>(PadAxis::right_trigger) == GLFW_GAMEPAD_AXIS_LAST);
+    for (std::size_t i = 0; i < pad_buttons_.size(); ++i) {
+        const bool down = state != nullptr && state->buttons[i] == GLFW_PRESS;
+        if (down == pad_buttons_[i]) continue;
+        pad_buttons_[i] = down;
+        waiting.emplace_back(GamepadButton{static_cast<PadButton>(i), down});
+    }
+    for (std::size_t i = 0; i < pad_axes_.size(); ++i) {
+        const bool is_trigger = i >= static_cast<std::size_t>(PadAxis::left_trigger);
+        const double value = state != nullptr ? static_cast<double>(state->axes[i]) : is_trigger ? -1 : 0;
+        if (value == pad_axes_[i]) continue;
+        pad_axes_[i] = value;
+        waiting.emplace_back(GamepadAxis{static_cast<PadAxis>(i), value});
+    }
+}
+
 void set_callbacks(GLFWwindow* window) {
     glfwSetKeyCallback(window,
                        [](GLFWwindow* w, int key, int, int action, int mods) { events_of(w).key(key, action, mods); });
