@@ -1,6 +1,7 @@
 #include "view/window_events.hpp"
 
 #include <GLFW/glfw3.h>
+#include <cmath>
 
 namespace surefoot::view {
 namespace {
@@ -171,7 +172,9 @@ void WindowEvents::gamepad(const GLFWgamepadstate* state) {
     }
     for (std::size_t i = 0; i < pad_axes_.size(); ++i) {
         const bool is_trigger = i >= static_cast<std::size_t>(PadAxis::left_trigger);
-        const double value = state != nullptr ? static_cast<double>(state->axes[i]) : is_trigger ? -1 : 0;
+        const double raw = state != nullptr ? static_cast<double>(state->axes[i]) : is_trigger ? -1 : 0;
+        constexpr double finest = 1.0 / 128;  // what a stick trembles by is no event
+        const double value = std::round(raw / finest) * finest;
         if (value == pad_axes_[i]) continue;
         pad_axes_[i] = value;
         waiting.emplace_back(GamepadAxis{static_cast<PadAxis>(i), value});

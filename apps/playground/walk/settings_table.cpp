@@ -63,8 +63,8 @@ constexpr SettingRow other[] = {
 constexpr SettingRow hands[] = {
     {"ledge_reach", &S::ledge_reach, "m", 0, 1.5, "How far ahead hands reach for an edge. 0: it holds none."},
     {"hands_height", &S::hands_height, "m", 0.1, 3, "From the feet up to the hands that hold an edge."},
-    {"climb_speed", &S::climb_speed, "m/s", 0.1, 10, "Up over an edge."},
-    {"shimmy_speed", &S::shimmy_speed, "m/s", 0, 5, "Along it."},
+    {"climb_speed", &S::climb_speed, "m/s", 0.1, 10, "Up over an edge that it holds."},
+    {"shimmy_speed", &S::shimmy_speed, "m/s", 0, 5, "Sideways along an edge, hanging."},
     {"vault_height", &S::vault_height, "m", 0, 2, "What is at most so high is climbed by a press of jump. 0: nothing."},
     {"longest_tick", &S::longest_tick, "s", 0.01, 1, "A longer tick is done in equal parts. Ticks here are 1/60 s."},
 };

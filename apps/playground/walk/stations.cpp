@@ -44,7 +44,7 @@ std::vector<Station> training_ground() {
         {"Thin walls of a centimetre", {-11, 0, -12.4}, north, "Dash (Q) at them. Speed does not get it through."},
         {"Walls without thickness", {10.4, 0, -12.4}, north, "Single triangles, seen from both sides."},
         {"Crevice", {-24, 0, -11.6}, north, "Run in: it ends where the body no longer fits, and comes out again."},
-        {"Ledge of 1.2 m", {-28, 0, -13.2}, south, "Jump and reach: it hangs. Sideways goes along, forward climbs."},
+        {"Ledge of 1.2 m", {-28, 0, -12.3}, south, "Jump and reach: it hangs. Sideways goes along, forward climbs."},
         {"Low ceiling",
          {24.5, 0, -11.4},
          north,

@@ -150,7 +150,8 @@ void time_bar(Walker& walker, bool why, double left, double right, const std::fu
         }
         ui::hint("One step (full stop).");
         speed_choice(walker);
-        ImGui::SameLine();
+        // In a narrow window the slider has a line of its own.
+        if (ImGui::GetWindowWidth() > 34 * ImGui::GetFontSize()) ImGui::SameLine();
         past_slider(walker);
     }
     ImGui::End();
