@@ -238,12 +238,13 @@ std::optional<dvec3> Walk::place_under(const dvec2& at) const {
 void Walk::sit(Seat seat) {
     if (seat == seat_ || (seat == Seat::foot && !on_foot_)) return;
     const view::Camera now = camera();
-    if (seat_ == Seat::foot) on_foot_->release();
+    const bool was_on_foot = seat_ == Seat::foot;
+    if (was_on_foot) on_foot_->release();
     seat_ = seat;
     if (seat == Seat::fly) {
         fly_.field_of_view = now.field_of_view;
         fly_.place(now.eye, now.forward);
-    } else if (seat == Seat::orbit) {
+    } else if (seat == Seat::orbit && !was_on_foot) {
         // Around what is in the middle of the picture.
         const auto hit = level_ ? mesh().ray({now.eye, now.eye + now.forward * 1000.0}) : std::nullopt;
         orbit_.take(now, hit ? std::max(glm::length(hit->point - now.eye), 0.5) : 10);
@@ -360,7 +361,6 @@ void Walk::tools() {
             orbit_.frame(mesh().bounds());
         }
         if (seat_ == Seat::fly) ui::at_right(fmt::format("{:.1f} m/s", fly_.speed));
-        ImGui::Separator();
     }
     if (ui::radio("Look", tool_ == Tool::look)) tool_ = Tool::look;
     ImGui::SameLine();
