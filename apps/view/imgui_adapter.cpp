@@ -69,6 +69,9 @@ ImGuiAdapter::ImGuiAdapter(Display& display) : display_(display) {
 ImGuiAdapter::~ImGuiAdapter() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
+    // Whoever comes next finds no widgets where these were: those of this frame, and of the one before.
+    ui::forget_items();
+    ui::forget_items();
 }
 
 void ImGuiAdapter::load_fonts(double scale) {

@@ -59,6 +59,7 @@ public:
             runs_ = false;
         }
         follow();
+        orbit_.keep_pivot_in(view::ui::uncovered(stage_->display.size()), stage_->display.size());
         const bool turns = orbit_.update(dt);
         return runs_ || turns || measures;
     }

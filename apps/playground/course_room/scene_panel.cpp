@@ -67,7 +67,7 @@ bool ScenePanel::ui(const course::Scenes& scenes, CourseChoice& choice) {
     const course::Scene& now = scenes[choice.scene];
     ui::note(now.title);
     const int run = list(
-        "Run", now.runs.size(), choice.run, [&](std::size_t i) { return now.runs[i].name; },
+        "One run", now.runs.size(), choice.run, [&](std::size_t i) { return now.runs[i].name; },
         [](std::size_t) { return std::string(); });
     if (run >= 0) choice.run = static_cast<std::size_t>(run);
     std::size_t ghost = 0;

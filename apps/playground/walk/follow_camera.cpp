@@ -81,6 +81,11 @@ bool FollowCamera::update(double dt, const World& world, const dvec3& middle) {
     return std::abs(free_ - before) > 1e-4 || std::abs(lag_) > 1e-4;
 }
 
+void FollowCamera::keep_in(const view::Area& part, const view::ivec2& size, double dt) {
+    const view::dvec2 at = part.middle() / view::dvec2(size) * 2.0 - 1.0;
+    lens_shift_ += (view::dvec2(at.x, -at.y) - lens_shift_) * (1 - std::exp(-eagerness * dt));
+}
+
 void FollowCamera::jump_to(const dvec3& middle, double yaw) {
     yaw_ = yaw;
     height_ = middle.y;
@@ -96,6 +101,7 @@ view::Camera FollowCamera::camera(const World& world, const dvec3& middle) const
     camera.forward = -out;
     camera.field_of_view = 1.0;
     camera.nearest = ball * 0.4;
+    camera.lens_shift = lens_shift_;
     return camera;
 }
 

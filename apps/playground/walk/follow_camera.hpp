@@ -27,6 +27,9 @@ public:
     /// The eye of a body that is drawn at `middle`.
     [[nodiscard]] view::Camera camera(const World& world, const dvec3& middle) const;
 
+    /// The body is seen in the middle of a part of the picture, gently.
+    void keep_in(const view::Area& part, const view::ivec2& size, double dt);
+
     /// The level direction in which one looks.
     [[nodiscard]] dvec3 ahead() const;
 
@@ -46,6 +49,7 @@ private:
     double free_ = 5;      // and that there is room for [m]
     double height_ = 0;    // of what is looked at: stairs do not shake it
     double lag_ = 0;       // how far that is below the body
+    view::dvec2 lens_shift_{0, 0};
     std::optional<view::MouseButton> drag_;
 };
 

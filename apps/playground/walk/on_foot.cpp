@@ -147,6 +147,7 @@ bool OnFoot::event(const view::InputEvent& event) {
 bool OnFoot::update(double dt) {
     constexpr double turn_speed = 2.6;  // of a stick that is all the way to one side [rad/s]
     camera_.turn(controls_.look() * (turn_speed * dt));
+    camera_.keep_in(view::ui::uncovered(stage_.display.size()), stage_.display.size(), dt);
     const CharacterState before = walker_.state();
     const bool passes = walker_.pass(dt, [&] { return controls_.take(camera_.ahead()); });
     const bool turns =

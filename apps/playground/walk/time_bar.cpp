@@ -67,6 +67,7 @@ void why_text(const Walker& walker) {
         ui::note("Nothing has stopped it yet.");
         return;
     }
+    const float top = ImGui::GetCursorPosY();
     ui::note(stop.ago < Walker::tick / 2
                  ? std::string("In this step:")
                  : fmt::format("The last time something was in the way, {:.2f} s ago:", stop.ago));
@@ -76,6 +77,9 @@ void why_text(const Walker& walker) {
     for (std::size_t i = 0; i < std::min(sentences.size(), most); ++i)
         ImGui::TextUnformatted(sentences[i].text.c_str());
     ImGui::PopTextWrapPos();
+    // As high whatever is told, so that the picture above does not move with every sentence.
+    constexpr float lines = 5.5F;
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + lines * ImGui::GetTextLineHeightWithSpacing()));
 }
 
 void past_slider(Walker& walker) {
