@@ -241,6 +241,7 @@ void App::update(double dt) {
         moves = toasts_.update(tick) || moves;
         behind_ = std::max(behind_ - tick, 0.0);
     }
+    stage_->waiting = behind_;
     if (moves) restless_ = 3;
     if (restless_ > 0) --restless_;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "playground/course_room/room.hpp"
 #include "playground/debugger_room/room.hpp"
 #include "playground/room.hpp"
 #include "playground/walk/walk.hpp"
@@ -14,7 +15,10 @@ std::span<const RoomCard> rooms() {
                  "One question, taken by the hand: move START, END or a corner, and see what stops the motion.",
                  make_debugger},
         RoomCard{"walk", "Walk",
-                 "Any level: look at its tree, its edges and its faults, measure it, throw shapes at it.", make_walk}};
+                 "Any level: walk through it, ask why you stopped, look at its tree and its faults, measure it.",
+                 make_walk},
+        RoomCard{"course", "Course", "The movement course: watch any scene, ours beside the ghost of another mover.",
+                 make_course}};
     return cards;
 }
 

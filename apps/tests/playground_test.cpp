@@ -65,7 +65,7 @@ TEST(Playground, every_overlay_and_tool_of_walk_is_a_picture) {
 
 TEST(Playground, help_opens_with_f1_and_closes_with_escape) {
     const auto app = open("walk", ground);
-    play(*app, "wait 5\nquit");
+    play(*app, "wait 2\nkey G\nwait 5\nquit");  // nothing moves while nobody is on foot
     const view::Picture before = app->picture();
     play(*app, "key F1\nwait 3\nquit");
     EXPECT_FALSE(same(before, app->picture()));

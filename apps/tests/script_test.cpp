@@ -45,6 +45,22 @@ TEST(Script, errors_name_file_and_line_and_say_how_to_write_it) {
     EXPECT_NE(error_of("move nan 5").find("no number"), std::string::npos);
 }
 
+TEST(Script, a_gamepad_is_played_as_any_other_hand) {
+    ScriptPlayer p = player("pad press A\naxis left_y -0.5\npad release a\n");
+    const auto frame = p.next();
+    ASSERT_TRUE(frame);
+    ASSERT_EQ(frame->events.size(), 3U);
+    EXPECT_EQ(std::get<GamepadButton>(frame->events[0]).button, PadButton::a);
+    EXPECT_TRUE(std::get<GamepadButton>(frame->events[0]).down);
+    EXPECT_EQ(std::get<GamepadAxis>(frame->events[1]).axis, PadAxis::left_y);
+    EXPECT_EQ(std::get<GamepadAxis>(frame->events[1]).value, -0.5);
+    EXPECT_FALSE(std::get<GamepadButton>(frame->events[2]).down);
+    EXPECT_NE(error_of("pad A").find("write: pad press A"), std::string::npos);
+    EXPECT_NE(error_of("pad press Z").find("left_bumper"), std::string::npos);
+    EXPECT_NE(error_of("axis left_y 2").find("from -1 to 1"), std::string::npos);
+    EXPECT_NE(error_of("axis nose 0").find("right_trigger"), std::string::npos);
+}
+
 TEST(Script, a_caption_belongs_to_the_next_screenshot_alone) {
     ScriptPlayer p = player("caption One thing\nscreenshot a.png\nscreenshot b.png\n");
     const auto first = p.next();

@@ -36,6 +36,29 @@ TEST(WindowEvents, the_first_move_is_no_jump) {
     EXPECT_EQ(std::get<ButtonPress>(events.waiting[2]).at, dvec2(510, 290));
 }
 
+TEST(WindowEvents, of_a_gamepad_what_changes_is_an_event_and_without_it_nothing_is_held) {
+    WindowEvents events;
+    GLFWgamepadstate pad{};
+    pad.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] = pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] = -1;
+    events.gamepad(&pad);
+    EXPECT_TRUE(events.waiting.empty());
+    pad.buttons[GLFW_GAMEPAD_BUTTON_A] = GLFW_PRESS;
+    pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y] = -0.5F;
+    pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X] = 0.001F;  // it trembles
+    events.gamepad(&pad);
+    events.gamepad(&pad);
+    ASSERT_EQ(events.waiting.size(), 2U);
+    EXPECT_EQ(std::get<GamepadButton>(events.waiting[0]).button, PadButton::a);
+    EXPECT_TRUE(std::get<GamepadButton>(events.waiting[0]).down);
+    EXPECT_EQ(std::get<GamepadAxis>(events.waiting[1]).axis, PadAxis::left_y);
+    EXPECT_EQ(std::get<GamepadAxis>(events.waiting[1]).value, -0.5);
+    events.waiting.clear();
+    events.gamepad(nullptr);  // it was pulled out
+    ASSERT_EQ(events.waiting.size(), 2U);
+    EXPECT_FALSE(std::get<GamepadButton>(events.waiting[0]).down);
+    EXPECT_EQ(std::get<GamepadAxis>(events.waiting[1]).value, 0);
+}
+
 TEST(WindowEvents, letters_of_any_alphabet_become_utf8) {
     EXPECT_EQ(utf8('a'), "a");
     EXPECT_EQ(utf8(0xE4), "\xC3\xA4");

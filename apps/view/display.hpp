@@ -64,6 +64,7 @@ public:
     virtual void resize(const ivec2& size) = 0;
 
     [[nodiscard]] bool is_full_screen() const { return full_screen_; }
+    [[nodiscard]] bool is_pointer_captured() const { return captured_; }
 
 protected:
     ivec2 size_{0, 0};
@@ -71,6 +72,7 @@ protected:
     double scale_ = 1;
     unsigned framebuffer_ = 0;
     bool full_screen_ = false;
+    bool captured_ = false;
 };
 
 /// "OpenGL 3.3 (core), llvmpipe ...", for the about box and for messages.

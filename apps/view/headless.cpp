@@ -34,7 +34,7 @@ public:
     }
     void present() override { glFlush(); }
     void set_full_screen(bool full) override { full_screen_ = full; }
-    void capture_pointer(bool /*captured*/) override {}
+    void capture_pointer(bool captured) override { captured_ = captured; }
     [[nodiscard]] std::string clipboard() const override { return clipboard_; }
     void set_clipboard(const std::string& text) override { clipboard_ = text; }
 

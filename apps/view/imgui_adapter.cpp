@@ -69,6 +69,9 @@ ImGuiAdapter::ImGuiAdapter(Display& display) : display_(display) {
 ImGuiAdapter::~ImGuiAdapter() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
+    // Whoever comes next finds no widgets where these were: those of this frame, and of the one before.
+    ui::forget_items();
+    ui::forget_items();
 }
 
 void ImGuiAdapter::load_fonts(double scale) {
@@ -104,6 +107,12 @@ bool ImGuiAdapter::event(const InputEvent& event) {
         io.KeyCtrl = held.control;
         io.KeyAlt = held.alt;
     };
+    // A pointer that nobody sees is over no widget.
+    const bool captured = display_.is_pointer_captured();
+    if (captured) io.MousePos = ImVec2(-1e6F, -1e6F);
+    if (captured && (std::holds_alternative<PointerMove>(event) || std::holds_alternative<ButtonPress>(event) ||
+                     std::holds_alternative<WheelTurn>(event)))
+        return false;
     if (const auto* const move = std::get_if<PointerMove>(&event)) {
         hold(move->held);
         io.MousePos = ImVec2(static_cast<float>(move->at.x), static_cast<float>(move->at.y));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 namespace surefoot::view {
 namespace {
@@ -17,12 +18,41 @@ constexpr std::array<std::string_view, key_count> names{
     "F12",  "Space", "Enter",  "Escape",   "Tab",   "Backspace", "Delete", "Insert", "Left",   "Right", "Up",    "Down",
     "Home", "End",   "PageUp", "PageDown", "Shift", "Control",   "Alt",    "Minus",  "Equals", "Comma", "Period"};
 
+constexpr std::array<std::string_view, static_cast<std::size_t>(PadButton::count)> pad_buttons{
+    "a",     "b",          "x",           "y",  "left_bumper", "right_bumper", "back", "start",
+    "guide", "left_thumb", "right_thumb", "up", "right",       "down",         "left"};
+
+constexpr std::array<std::string_view, static_cast<std::size_t>(PadAxis::count)> pad_axes{
+    "left_x", "left_y", "right_x", "right_y", "left_trigger", "right_trigger"};
+
 bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// The place of a word in a list; the length of the list if it is not there.
+std::size_t place_of(std::string_view name, std::span<const std::string_view> all) {
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](std::string_view one) { return same_word(one, name); }) - all.begin());
+}
+
 }  // namespace
+
+std::string_view button_name(PadButton button) {
+    return pad_buttons[static_cast<std::size_t>(button)];
+}
+
+std::string_view axis_name(PadAxis axis) {
+    return pad_axes[static_cast<std::size_t>(axis)];
+}
+
+PadButton pad_button_named(std::string_view name) {
+    return static_cast<PadButton>(place_of(name, pad_buttons));
+}
+
+PadAxis pad_axis_named(std::string_view name) {
+    return static_cast<PadAxis>(place_of(name, pad_axes));
+}
 
 std::string_view key_name(Key key) {
     return names[static_cast<std::size_t>(key)];

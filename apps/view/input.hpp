@@ -67,6 +67,34 @@ struct WheelTurn {
     Modifiers held{};
 };
 
+/// As on most gamepads: A is the lowest of the four, B the right, X the left, Y the upper one.
+// clang-format off
+enum class PadButton : std::uint8_t {
+    a, b, x, y, left_bumper, right_bumper, back, start, guide, left_thumb, right_thumb, up, right, down, left,
+    count,
+};
+// clang-format on
+
+enum class PadAxis : std::uint8_t { left_x, left_y, right_x, right_y, left_trigger, right_trigger, count };
+
+/// "a", "left_bumper", "left_x": as scripts write them.
+[[nodiscard]] std::string_view button_name(PadButton button);
+[[nodiscard]] std::string_view axis_name(PadAxis axis);
+
+/// The one of this name, whatever the case; `count` if there is none.
+[[nodiscard]] PadButton pad_button_named(std::string_view name);
+[[nodiscard]] PadAxis pad_axis_named(std::string_view name);
+
+struct GamepadButton {
+    PadButton button = PadButton::a;
+    bool down = true;
+};
+
+struct GamepadAxis {
+    PadAxis axis = PadAxis::left_x;
+    double value = 0;  ///< to the right and down [-1 to 1]; of a trigger that nobody touches -1
+};
+
 struct TextInput {
     std::string text;  ///< UTF-8
 };
@@ -91,7 +119,7 @@ struct ScaleChange {
 struct CloseRequest {};
 
 using InputEvent = std::variant<KeyPress, ButtonPress, PointerMove, WheelTurn, TextInput, FileDrop, Resize, FocusChange,
-                                ScaleChange, CloseRequest>;
+                                ScaleChange, CloseRequest, GamepadButton, GamepadAxis>;
 
 /// Is it this key going down for the first time, with nothing but these modifiers?
 [[nodiscard]] bool is_press(const InputEvent& event, Key key, const Modifiers& with = {});

@@ -154,6 +154,11 @@ void OrbitCamera::arrive() {
     lens_shift_ = lens_goal_;
 }
 
+void OrbitCamera::move_by(const dvec3& by) {
+    goal_.pivot += by;
+    now_.pivot += by;
+}
+
 void OrbitCamera::go_to(const Stand& stand) {
     goal_ = within_limits(stand);
 }

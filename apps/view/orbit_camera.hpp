@@ -43,6 +43,9 @@ public:
     void go_to(const Stand& stand);
     void jump_to(const Stand& stand);
 
+    /// Goes along with what it looks at, at once, whatever else it is on its way to.
+    void move_by(const dvec3& by);
+
     /// Is at once where it was on its way to.
     void arrive();
 

@@ -119,6 +119,8 @@ public:
                 return "there is no such key; write: " + verb + " F, or Control+Shift+Z, F11, Left, Escape ...";
             return {};
         }
+        if (verb == "pad") return pad();
+        if (verb == "axis") return axis();
         if (verb == "text") return words_.rest.empty() ? "write: text WHAT IS TYPED" : told(Kind::text);
         if (verb == "drop") return words_.rest.empty() ? "write: drop FILE" : told(Kind::drop);
         if (verb == "caption") return words_.rest.empty() ? "write: caption WHAT IS SEEN" : told(Kind::caption);
@@ -135,8 +137,8 @@ public:
             return words_.all.size() == 1 ? std::string() : "quit stands alone";
         }
         return "unknown command '" + verb +
-               "'; there are: frame wait move press release click drag wheel key hold unhold text drop resize "
-               "caption screenshot quit";
+               "'; there are: frame wait move press release click drag wheel key hold unhold pad axis text drop "
+               "resize caption screenshot quit";
     }
 
 private:
@@ -151,6 +153,27 @@ private:
         const auto count = words_.all.size() == 2 ? number(words_.all[1]) : std::nullopt;
         if (!count || *count < 0) return std::string("write: ") + how;
         command_.count = static_cast<int>(*count);
+        return {};
+    }
+
+    std::string pad() {
+        const bool known = words_.all.size() == 3 && (words_.all[1] == "press" || words_.all[1] == "release");
+        if (known) command_.pad = pad_button_named(words_.all[2]);
+        if (!known || command_.pad == PadButton::count)
+            return "write: pad press A, or pad release A; there are a b x y left_bumper right_bumper back start guide "
+                   "left_thumb right_thumb up right down left";
+        command_.kind = words_.all[1] == "press" ? Kind::pad_press : Kind::pad_release;
+        return {};
+    }
+
+    std::string axis() {
+        command_.kind = Kind::axis;
+        const auto value = words_.all.size() == 3 ? number(words_.all[2]) : std::nullopt;
+        if (value) command_.axis = pad_axis_named(words_.all[1]);
+        if (!value || command_.axis == PadAxis::count || *value < -1 || *value > 1)
+            return "write: axis left_y -1; there are left_x left_y right_x right_y left_trigger right_trigger, each "
+                   "from -1 to 1";
+        command_.to.x = *value;
         return {};
     }
 

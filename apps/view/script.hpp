@@ -14,6 +14,9 @@
 ///     key F                    presses a key and lets it go: `key Control+Shift+Z`
 ///     hold W                   holds a key down, and
 ///     unhold W                 lets it go
+///     pad press A              presses a button of the gamepad: A, B, X, Y, left_bumper, start, up ..., and
+///     pad release A            lets it go
+///     axis left_y -1           moves a stick or a trigger: left_x, left_y, right_x, right_y, left_trigger ...
 ///     text 1.5                 types
 ///     drop level.obj           drops a file on the window
 ///     resize 800 600           makes the window another size
@@ -48,6 +51,9 @@ struct ScriptCommand {
         key,
         hold,
         unhold,
+        pad_press,
+        pad_release,
+        axis,
         text,
         drop,
         resize,
@@ -62,6 +68,8 @@ struct ScriptCommand {
     dvec2 from{0, 0};
     dvec2 to{0, 0};
     Key key = Key::none;
+    PadButton pad = PadButton::a;
+    PadAxis axis = PadAxis::left_x;
     Modifiers held{};
     std::string text;
 };

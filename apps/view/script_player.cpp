@@ -81,6 +81,13 @@ bool ScriptPlayer::step(const ScriptCommand& c, Frame& frame) {
         case Kind::unhold:
             strike(c, false, true, frame);
             return true;
+        case Kind::pad_press:
+        case Kind::pad_release:
+            frame.events.emplace_back(GamepadButton{c.pad, c.kind == Kind::pad_press});
+            return true;
+        case Kind::axis:
+            frame.events.emplace_back(GamepadAxis{c.axis, c.to.x});
+            return true;
         case Kind::text:
             frame.events.emplace_back(TextInput{c.text});
             return true;

@@ -2,6 +2,7 @@
 #include <epoxy/gl.h>
 // After epoxy, which it would otherwise bring another OpenGL header to.
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <cstdlib>
 
 #include "view/display.hpp"
@@ -35,10 +36,15 @@ public:
 
     void poll(std::vector<InputEvent>& events, double seconds) override {
         if (seconds > 0) {
-            glfwWaitEventsTimeout(seconds);
+            // A gamepad wakes nobody: it has to be asked.
+            constexpr double asked_every = 1.0 / 60;  // [s]
+            glfwWaitEventsTimeout(first_gamepad() >= 0 ? std::min(seconds, asked_every) : seconds);
         } else {
             glfwPollEvents();
         }
+        GLFWgamepadstate pad;
+        const int first = first_gamepad();
+        events_.gamepad(first >= 0 && glfwGetGamepadState(first, &pad) == GLFW_TRUE ? &pad : nullptr);
         for (const InputEvent& event : events_.waiting) {
             if (const auto* const change = std::get_if<ScaleChange>(&event)) content_scale_ = change->scale;
         }
@@ -67,6 +73,7 @@ public:
     }
 
     void capture_pointer(bool captured) override {
+        captured_ = captured;
         glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
     }
 
@@ -78,6 +85,13 @@ public:
     void resize(const ivec2& size) override { glfwSetWindowSize(window_, size.x, size.y); }
 
 private:
+    /// The lowest number of a gamepad, or -1.
+    static int first_gamepad() {
+        for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i)
+            if (glfwJoystickIsGamepad(i) == GLFW_TRUE) return i;
+        return -1;
+    }
+
     void measure() {
         glfwGetWindowSize(window_, &size_.x, &size_.y);
         glfwGetFramebufferSize(window_, &framebuffer_size_.x, &framebuffer_size_.y);

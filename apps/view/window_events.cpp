@@ -1,6 +1,7 @@
 #include "view/window_events.hpp"
 
 #include <GLFW/glfw3.h>
+#include <cmath>
 
 namespace surefoot::view {
 namespace {
@@ -157,6 +158,27 @@ void WindowEvents::scale(double factor) {
 
 void WindowEvents::close() {
     waiting.emplace_back(CloseRequest{});
+}
+
+void WindowEvents::gamepad(const GLFWgamepadstate* state) {
+    // Ours have the order of GLFW's.
+    static_assert(static_cast<int>(PadButton::left) == GLFW_GAMEPAD_BUTTON_LAST &&
+                  static_cast<int>(PadAxis::right_trigger) == GLFW_GAMEPAD_AXIS_LAST);
+    for (std::size_t i = 0; i < pad_buttons_.size(); ++i) {
+        const bool down = state != nullptr && state->buttons[i] == GLFW_PRESS;
+        if (down == pad_buttons_[i]) continue;
+        pad_buttons_[i] = down;
+        waiting.emplace_back(GamepadButton{static_cast<PadButton>(i), down});
+    }
+    for (std::size_t i = 0; i < pad_axes_.size(); ++i) {
+        const bool is_trigger = i >= static_cast<std::size_t>(PadAxis::left_trigger);
+        const double raw = state != nullptr ? static_cast<double>(state->axes[i]) : is_trigger ? -1 : 0;
+        constexpr double finest = 1.0 / 128;  // what a stick trembles by is no event
+        const double value = std::round(raw / finest) * finest;
+        if (value == pad_axes_[i]) continue;
+        pad_axes_[i] = value;
+        waiting.emplace_back(GamepadAxis{static_cast<PadAxis>(i), value});
+    }
 }
 
 void set_callbacks(GLFWwindow* window) {

@@ -2,11 +2,13 @@
 /// called by a test.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "view/input.hpp"
 
 struct GLFWwindow;
+struct GLFWgamepadstate;
 
 namespace surefoot::view {
 
@@ -26,9 +28,15 @@ struct WindowEvents {
     void scale(double factor);
     void close();
 
+    /// What a gamepad's buttons and sticks are at; whatever is otherwise than the last time is an event. Null: there is
+    /// none, and nothing is held any more.
+    void gamepad(const GLFWgamepadstate* state);
+
 private:
     void keep(int mods);
     bool moved_before_ = false;
+    std::array<bool, static_cast<std::size_t>(PadButton::count)> pad_buttons_{};
+    std::array<double, static_cast<std::size_t>(PadAxis::count)> pad_axes_{0, 0, 0, 0, -1, -1};
 };
 
 /// Makes a window write into the WindowEvents that its user pointer points at.

@@ -10,6 +10,7 @@
 #include "playground/walk/fetcher.hpp"
 #include "playground/walk/findings.hpp"
 #include "playground/walk/level_look.hpp"
+#include "playground/walk/on_foot.hpp"
 #include "playground/walk/tape.hpp"
 #include "playground/walk/thrower.hpp"
 #include "view/fly_camera.hpp"
@@ -26,6 +27,7 @@ constexpr view::KeyHelp keys[] = {{"Drag", "turns around the place in the middle
                                   {"Wheel", "goes towards what is under the pointer; when flying, sets the speed"},
                                   {"Right drag", "moves sideways"},
                                   {"W A S D, Q E", "fly; Shift hurries"},
+                                  {"G", "on foot: a character walks through the level"},
                                   {"C", "orbit or fly"},
                                   {"F", "shows the whole level"},
                                   {"1  2  3", "look, measure, throw"},
@@ -34,6 +36,9 @@ constexpr view::KeyHelp keys[] = {{"Drag", "turns around the place in the middle
                                   {"Control+O", "opens a level"}};
 
 enum class Tool { look, measure, hurl };
+
+/// From where the level is seen.
+enum class Seat { orbit, fly, foot };
 
 class Walk final : public Room {
 public:
@@ -49,9 +54,15 @@ public:
         if (!level.empty()) open(level);
     }
 
+    void leave() override {
+        if (on_foot_) on_foot_->release();
+    }
+
     bool event(const view::InputEvent& event) override;
     bool update(double dt) override;
-    [[nodiscard]] view::Camera camera() const override { return flies_ ? fly_.camera() : orbit_.camera(); }
+    [[nodiscard]] view::Camera camera() const override {
+        return seat_ == Seat::foot ? on_foot_->camera() : seat_ == Seat::fly ? fly_.camera() : orbit_.camera();
+    }
     void draw(view::Renderer& renderer) override;
     void ui() override;
 
@@ -60,7 +71,9 @@ public:
         const dvec3 eye = camera().eye;
         return mesh().ray_any({eye, eye + (place - eye) * 0.995});
     }
-    [[nodiscard]] std::span<const view::KeyHelp> help() const override { return keys; }
+    [[nodiscard]] std::span<const view::KeyHelp> help() const override {
+        return seat_ == Seat::foot ? OnFoot::help() : keys;
+    }
 
 private:
     [[nodiscard]] const Mesh& mesh() const { return level_->level.mesh; }
@@ -71,11 +84,13 @@ private:
     void show(const LevelLoader::Loaded& loaded);
     void click(const dvec2& at);
     bool key(const view::KeyPress& press);
-    void set_flying(bool flies);
+    void sit(Seat seat);
     void go_to_place(const dvec3& place);
     [[nodiscard]] std::optional<dvec3> place_under(const dvec2& at) const;
     void level_panel();
     void tool_panel();
+    void tools();
+    void seat_row();
 
     Stage* stage_ = nullptr;
     LevelLoader::Loaded level_;
@@ -86,7 +101,8 @@ private:
     Fetcher fetcher_;
     view::OrbitCamera orbit_;
     view::FlyCamera fly_;
-    bool flies_ = false;
+    std::unique_ptr<OnFoot> on_foot_;  // null for a level where nobody can stand
+    Seat seat_ = Seat::orbit;
     Tool tool_ = Tool::look;
     std::optional<dvec2> pressed_at_;  // a left press that may become a click
     std::optional<std::uint32_t> picked_;
@@ -106,7 +122,10 @@ void Walk::show(const LevelLoader::Loaded& loaded) {
                     .yaw = 0.75,
                     .pitch = 0.52,
                     .distance = size * 0.62});
-    set_flying(false);
+    if (on_foot_) on_foot_->release();
+    on_foot_ = std::make_unique<OnFoot>(*stage_, level_);
+    if (!on_foot_->has_place()) on_foot_.reset();
+    seat_ = on_foot_ ? Seat::foot : Seat::orbit;
 }
 
 bool Walk::key(const view::KeyPress& press) {
@@ -117,11 +136,14 @@ bool Walk::key(const view::KeyPress& press) {
     }
     if (press.held.control || !level_) return false;
     switch (press.key) {
+        case Key::g:
+            sit(seat_ == Seat::foot ? Seat::orbit : Seat::foot);
+            return true;
         case Key::c:
-            set_flying(!flies_);
+            sit(seat_ == Seat::fly ? Seat::orbit : Seat::fly);
             return true;
         case Key::f:
-            set_flying(false);
+            sit(Seat::orbit);
             orbit_.frame(mesh().bounds());
             return true;
         case Key::t:
@@ -157,10 +179,10 @@ bool Walk::event(const view::InputEvent& event) {
     }
     if (const auto* const press = std::get_if<view::KeyPress>(&event)) {
         if (key(*press)) return true;
-        if (press->down && !flies_ && level_ &&
+        if (press->down && seat_ == Seat::orbit && level_ &&
             (press->key == Key::w || press->key == Key::a || press->key == Key::s || press->key == Key::d) &&
             !press->held.control)
-            set_flying(true);
+            sit(Seat::fly);
     }
     if (const auto* const press = std::get_if<view::ButtonPress>(&event);
         press != nullptr && press->button == view::MouseButton::left) {
@@ -177,7 +199,15 @@ bool Walk::event(const view::InputEvent& event) {
     if (const auto* const move = std::get_if<view::PointerMove>(&event); move != nullptr && tool_ == Tool::measure)
         tape_.hover(place_under(move->at));
     if (const auto* const wheel = std::get_if<view::WheelTurn>(&event)) under = place_under(wheel->at);
-    return flies_ ? fly_.event(event) : orbit_.event(event, stage_->display.size(), under);
+    switch (seat_) {
+        case Seat::foot:
+            return on_foot_->event(event);
+        case Seat::fly:
+            return fly_.event(event);
+        case Seat::orbit:
+            break;
+    }
+    return orbit_.event(event, stage_->display.size(), under);
 }
 
 void Walk::click(const dvec2& at) {
@@ -205,22 +235,24 @@ std::optional<dvec3> Walk::place_under(const dvec2& at) const {
     return hit && hit->status == HitStatus::ok ? std::optional(hit->point) : std::nullopt;
 }
 
-void Walk::set_flying(bool flies) {
-    if (flies == flies_) return;
+void Walk::sit(Seat seat) {
+    if (seat == seat_ || (seat == Seat::foot && !on_foot_)) return;
     const view::Camera now = camera();
-    flies_ = flies;
-    if (flies) {
+    const bool was_on_foot = seat_ == Seat::foot;
+    if (was_on_foot) on_foot_->release();
+    seat_ = seat;
+    if (seat == Seat::fly) {
         fly_.field_of_view = now.field_of_view;
         fly_.place(now.eye, now.forward);
-        return;
+    } else if (seat == Seat::orbit && !was_on_foot) {
+        // Around what is in the middle of the picture.
+        const auto hit = level_ ? mesh().ray({now.eye, now.eye + now.forward * 1000.0}) : std::nullopt;
+        orbit_.take(now, hit ? std::max(glm::length(hit->point - now.eye), 0.5) : 10);
     }
-    // Around what is in the middle of the picture.
-    const auto hit = level_ ? mesh().ray({now.eye, now.eye + now.forward * 1000.0}) : std::nullopt;
-    orbit_.take(now, hit ? std::max(glm::length(hit->point - now.eye), 0.5) : 10);
 }
 
 void Walk::go_to_place(const dvec3& place) {
-    set_flying(false);
+    sit(Seat::orbit);
     auto stand = orbit_.goal();
     stand.pivot = place;
     stand.distance = std::min(stand.distance, 4.0);
@@ -231,7 +263,9 @@ void Walk::go_to_place(const dvec3& place) {
 bool Walk::update(double dt) {
     if (const auto news = fetcher_.update()) stage_->toasts.say(*news);
     const bool thrown = thrower_.update(dt);
-    const bool moved = flies_ ? fly_.update(dt) : orbit_.update(dt);
+    const bool moved = seat_ == Seat::foot  ? on_foot_->update(dt)
+                       : seat_ == Seat::fly ? fly_.update(dt)
+                                            : orbit_.update(dt);
     return thrown || moved || fetcher_.running();
 }
 
@@ -240,8 +274,10 @@ void Walk::draw(view::Renderer& renderer) {
     look_->draw(renderer);
     findings_->draw(renderer, level_->level);
     const view::Camera seen = camera();
-    const double far = flies_ ? 15 : orbit_.stand().distance;
-    look_->draw_ids(renderer, flies_ ? seen.eye + seen.forward * (far * 0.5) : orbit_.stand().pivot, far * 0.7);
+    const bool orbits = seat_ == Seat::orbit;
+    const double far = orbits ? orbit_.stand().distance : 15;
+    look_->draw_ids(renderer, orbits ? orbit_.stand().pivot : seen.eye + seen.forward * (far * 0.5), far * 0.7);
+    if (seat_ == Seat::foot) on_foot_->draw(renderer);
     if (picked_) {
         const Triangle t = mesh().triangle(*picked_);
         const dvec3 corners[3] = {t.a, t.b, t.c};
@@ -253,8 +289,15 @@ void Walk::draw(view::Renderer& renderer) {
 }
 
 void Walk::ui() {
+    if (seat_ == Seat::foot && !on_foot_->shows_panels()) return;
     level_panel();
     if (level_) tool_panel();
+    constexpr double beside_panels = 290 + 2 * 14;
+    if (seat_ == Seat::foot) {
+        const double unit = stage_->display.scale();
+        const double side = beside_panels * unit;
+        on_foot_->bar(side, stage_->display.size().x - side);
+    }
 }
 
 void Walk::level_panel() {
@@ -303,36 +346,49 @@ void Walk::level_panel() {
 void Walk::tool_panel() {
     namespace ui = view::ui;
     if (ui::begin("Tools", {.corner = ui::Panel::Corner::upper_right, .width = 290})) {
-        if (ui::radio("Look", tool_ == Tool::look)) tool_ = Tool::look;
-        ImGui::SameLine();
-        if (ui::radio("Measure", tool_ == Tool::measure)) tool_ = Tool::measure;
-        ImGui::SameLine();
-        if (ui::radio("Throw", tool_ == Tool::hurl)) tool_ = Tool::hurl;
-        if (tool_ == Tool::look) {
-            if (picked_) {
-                const std::uint32_t id = *picked_;
-                ImGui::TextUnformatted(
-                    fmt::format("Triangle {}\n{}", id, tools::surface_text(level_->level, mesh().surface(id))).c_str());
-            } else {
-                ui::note("Click a triangle to see which one it is.");
-            }
-        }
-        if (tool_ == Tool::measure) tape_.ui({0, 1, 0});
-        if (tool_ == Tool::hurl) thrower_.ui(level_->level);
-        ImGui::Separator();
-        bool flies = flies_;
-        if (ui::checkbox("Fly (C)", flies)) set_flying(flies);
-        if (flies_) {
-            ImGui::SameLine();
-            ui::note(fmt::format("{:.1f} m/s", fly_.speed));
-        }
-        ImGui::SameLine();
-        if (ui::button("Frame (F)")) {
-            set_flying(false);
-            orbit_.frame(mesh().bounds());
-        }
+        seat_row();
+        if (seat_ == Seat::foot) on_foot_->panel();
+        if (seat_ != Seat::foot || ui::section("What a click does", false)) tools();
     }
     ui::end();
+}
+
+void Walk::tools() {
+    namespace ui = view::ui;
+    if (seat_ != Seat::foot) {
+        if (ui::button("Frame (F)")) {
+            sit(Seat::orbit);
+            orbit_.frame(mesh().bounds());
+        }
+        if (seat_ == Seat::fly) ui::at_right(fmt::format("{:.1f} m/s", fly_.speed));
+    }
+    if (ui::radio("Look", tool_ == Tool::look)) tool_ = Tool::look;
+    ImGui::SameLine();
+    if (ui::radio("Measure", tool_ == Tool::measure)) tool_ = Tool::measure;
+    ImGui::SameLine();
+    if (ui::radio("Throw", tool_ == Tool::hurl)) tool_ = Tool::hurl;
+    if (tool_ == Tool::look) {
+        if (picked_) {
+            const std::uint32_t id = *picked_;
+            ImGui::TextUnformatted(
+                fmt::format("Triangle {}\n{}", id, tools::surface_text(level_->level, mesh().surface(id))).c_str());
+        } else {
+            ui::note("Click a triangle to see which one it is.");
+        }
+    }
+    if (tool_ == Tool::measure) tape_.ui({0, 1, 0});
+    if (tool_ == Tool::hurl) thrower_.ui(level_->level);
+}
+
+void Walk::seat_row() {
+    namespace ui = view::ui;
+    if (ui::radio("Orbit", seat_ == Seat::orbit)) sit(Seat::orbit);
+    ImGui::SameLine();
+    if (ui::radio("Fly (C)", seat_ == Seat::fly)) sit(Seat::fly);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!on_foot_);
+    if (ui::radio("Foot (G)", seat_ == Seat::foot)) sit(Seat::foot);
+    ImGui::EndDisabled();
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+#include "playground/course_room/race.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace surefoot::playground {
+namespace {
+
+constexpr const char* our_name = "ours";
+
+Racer walk(const std::string& name, const course::Run& run) {
+    Racer racer{name, {}};
+    if (const auto mover = course::make_mover(name)) {
+        racer.outing = course::walk_run(run, *mover);
+    } else {
+        racer.outing.run = &run;
+        racer.outing.spots.push_back({.time = 0, .position = run.start, .grounded = false, .input = {}});
+        racer.outing.failure = "this build has no such mover";
+    }
+    return racer;
+}
+
+/// The place of the last spot at or before a time.
+std::size_t place_at(const course::Outing& outing, double time) {
+    const double ticks = (time - outing.spots.front().time) / outing.run->dt();
+    // A hair more, so that the time of a spot is not the one before it by rounding.
+    const auto last = static_cast<double>(outing.spots.size() - 1);
+    return static_cast<std::size_t>(std::clamp(std::floor(ticks + 1e-6), 0.0, last));
+}
+
+}  // namespace
+
+const course::Spot& Racer::spot_at(double time) const {
+    return outing.spots[place_at(outing, time)];
+}
+
+dvec3 Racer::position_at(double time) const {
+    const std::size_t i = place_at(outing, time);
+    const course::Spot& spot = outing.spots[i];
+    if (i + 1 == outing.spots.size()) return spot.position;
+    const double share = std::clamp((time - spot.time) / outing.run->dt(), 0.0, 1.0);
+    return spot.position + (outing.spots[i + 1].position - spot.position) * share;
+}
+
+Race::Race(const course::Run& run, const std::string& other) : run_(&run), ours_(walk(our_name, run)) {
+    if (!other.empty()) other_ = walk(other, run);
+}
+
+double Race::begin() const {
+    return ours_.outing.spots.front().time;
+}
+
+double Race::end() const {
+    const double own = ours_.outing.last().time;
+    return other_ ? std::max(own, other_->outing.last().time) : own;
+}
+
+double Race::gap_at(double time) const {
+    return other_ ? glm::length(other_->position_at(time) - ours_.position_at(time)) : 0;
+}
+
+Measuring::Measuring(const course::Scene& scene, const std::string& mover)
+    : scene_(&scene), name_(mover), mover_(course::make_mover(mover)) {
+    score_.scene = &scene;
+    if (!mover_) score_.failure = "this build has no such mover";
+}
+
+bool Measuring::go_on() {
+    if (is_done()) return false;
+    const course::Run& run = scene_->runs[outings_.size()];
+    outings_.push_back(course::walk_run(run, *mover_));
+    if (!outings_.back().failure.empty()) {
+        score_.failure = run.name + ": " + outings_.back().failure;
+        return false;
+    }
+    if (!is_done()) return true;
+    for (const course::Bar& bar : scene_->bars) score_.marks.push_back({&bar, bar.measure(outings_)});
+    return false;
+}
+
+}  // namespace surefoot::playground
