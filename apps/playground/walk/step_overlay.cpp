@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <imgui.h>
+#include <span>
 
 #include "view/widgets.hpp"
 
@@ -153,7 +154,13 @@ void StepOverlay::draw_triangles(view::Renderer& renderer, const Walker& walker)
 void StepOverlay::draw(view::Renderer& renderer, const Walker& walker, const dvec3& position) {
     if (trail) {
         const auto places = walker.trail();
-        renderer.polyline(places, {.colour = view::with_opacity(paint::paper, 0.8), .width = 2, .behind = 0.25});
+        const std::span<const dvec3> all(places);
+        const std::size_t here = walker.looks_at();
+        const auto stroke = [](double opacity) {
+            return view::Stroke{.colour = view::with_opacity(paint::paper, opacity), .width = 2, .behind = 0.25};
+        };
+        renderer.polyline(all.first(here + 1), stroke(0.85));
+        renderer.polyline(all.subspan(here), stroke(0.4));
         if (const auto& other = walker.what_if(); !other.empty()) {
             renderer.polyline(other, {.colour = paint::accent, .width = 3, .behind = 0.5});
             renderer.label({.place = other.back(), .text = "with the new settings", .behind = 1, .yields = true});

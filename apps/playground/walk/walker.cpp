@@ -221,8 +221,8 @@ const std::vector<dvec3>& Walker::what_if() const {
 
 std::vector<dvec3> Walker::trail() const {
     std::vector<dvec3> places;
-    for (std::size_t i = 0; i < looks_at(); ++i) places.push_back(ring_[i].before.position);
-    places.push_back(state().position);
+    for (std::size_t i = 0; i < ticks(); ++i) places.push_back(ring_[i].before.position);
+    places.push_back(now_.position);
     return places;
 }
 

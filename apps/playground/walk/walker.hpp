@@ -88,7 +88,7 @@ public:
     /// All that is remembered, to be played again.
     [[nodiscard]] Session session() const;
 
-    /// Where the body was, up to the state that is looked at.
+    /// Where the body was, from the oldest state to the present.
     [[nodiscard]] std::vector<dvec3> trail() const;
 
     /// Where the inputs that came after the state that is looked at lead with settings that were changed since: a place
