@@ -161,6 +161,47 @@ TEST(Walker, a_change_of_settings_begins_a_new_past_and_the_feet_stay) {
     }
 }
 
+TEST(Walker, changed_settings_show_where_the_same_inputs_would_have_led) {
+    Walker walker(yard());
+    ASSERT_TRUE(walker.put({0, 0, 2}));
+    walk(walker, 0, 80);
+    walker.look_at(25);
+    EXPECT_TRUE(walker.what_if().empty());
+    CharacterSettings settings = walker.settings();
+    settings.jump_height = 2;
+    walker.change(settings);
+    const std::vector<dvec3> led = walker.what_if();
+    ASSERT_EQ(led.size(), 80U - 25 + 1);
+    EXPECT_EQ(led.front(), walker.state().position);
+    walker.look_at(80);
+    EXPECT_NE(led.back(), walker.state().position);
+    walker.look_at(25);
+    walker.go_on_from_here();
+    for (int i = 25; i < 80; ++i) {
+        walker.make_tick(input_of(i));
+        EXPECT_EQ(walker.state().position, led[static_cast<std::size_t>(i) - 24]) << i;
+    }
+    EXPECT_TRUE(walker.what_if().empty()) << "these are the settings of the past now";
+}
+
+TEST(Walker, in_a_house_it_begins_under_the_roof) {
+    // A floor and a roof, each a sheet that faces up.
+    const std::vector<vec3> vertices{{-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5},
+                                     {-5, 4, 5}, {5, 4, 5}, {5, 4, -5}, {-5, 4, -5}};
+    const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    tools::Level level{.mesh = *Mesh::build(MeshInput{.vertices = vertices, .indices = indices}),
+                       .file = {},
+                       .surface_names = {},
+                       .markers = {},
+                       .notes = {}};
+    const auto stations = stations_of(level);
+    ASSERT_EQ(stations.size(), 1U);
+    EXPECT_NEAR(stations[0].place.y, 0, 1e-6);
+    level.markers.push_back({.name = "door", .kind = "spawn", .extras = {}, .position = {1, 0, 1}});
+    EXPECT_EQ(stations_of(level)[0].name, "door");
+    EXPECT_NEAR(stations_of(level)[0].look.z, 1, 1e-12) << "the front of a node";
+}
+
 TEST(Walker, stands_at_every_station_of_the_training_ground) {
     const tools::Level level = tools::load_level(
         {.file = SUREFOOT_LEVELS_DIR "/training-ground.glb", .scale = {}, .up = {}, .tolerance = {}, .solids = {}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include <surefoot/pose.hpp>
 
@@ -56,14 +57,28 @@ std::vector<Station> training_ground() {
     };
 }
 
-/// Ground below the middle of the level, or the middle itself.
+/// The lowest ground below the middle of the level that has room for a person above it, so that a house is begun in and
+/// not on its roof; else what is met first from above, else the middle itself.
 Station below_the_middle(const Mesh& mesh) {
     const Bounds bounds = mesh.bounds();
     const dvec3 middle = (bounds.min + bounds.max) * 0.5;
-    const dvec3 high(middle.x, bounds.max.y + 1, middle.z);
     const dvec3 low(middle.x, bounds.min.y - 1, middle.z);
-    const auto hit = mesh.ray({high, low});
-    return {"The middle", hit ? hit->point : middle, north, "Walk, run (Shift), jump (Space)."};
+    dvec3 from(middle.x, bounds.max.y + 1, middle.z);
+    std::optional<dvec3> first;
+    std::optional<dvec3> lowest;
+    constexpr int most_floors = 64;
+    for (int i = 0; i < most_floors; ++i) {
+        const auto hit = mesh.ray({from, low});
+        if (!hit || hit->status != HitStatus::ok) break;
+        if (!first) first = hit->point;
+        const Triangle t = mesh.triangle(hit->triangle);
+        constexpr double person = 2;  // [m]
+        const dvec3 above = hit->point + dvec3(0, 0.05, 0);
+        const bool faces_up = glm::cross(t.b - t.a, t.c - t.a).y > 0;
+        if (faces_up && !mesh.ray_any({above, above + dvec3(0, person, 0)})) lowest = hit->point;
+        from = hit->point - dvec3(0, 1e-3, 0);
+    }
+    return {"The middle", lowest ? *lowest : first.value_or(middle), north, "Walk, run (Shift), jump (Space)."};
 }
 
 }  // namespace
@@ -73,10 +88,9 @@ std::vector<Station> stations_of(const tools::Level& level) {
     std::vector<Station> stations;
     for (const ImportedMarker& marker : level.markers) {
         constexpr std::size_t most = 64;
-        const bool is_place = marker.kind == "spawn" || marker.kind == "goal" || marker.kind == "waypoint" ||
-                              marker.kind.rfind("info_player", 0) == 0;
+        const bool is_place = marker.kind == "spawn" || marker.kind == "goal" || marker.kind == "waypoint";
         if (!is_place || stations.size() == most) continue;
-        dvec3 look = to_world(Pose{{0, 0, 0}, marker.orientation}, {0, 0, -1});
+        dvec3 look = to_world(Pose{{0, 0, 0}, marker.orientation}, {0, 0, 1});  // the front of a node
         look.y = 0;
         const double length = glm::length(look);
         stations.push_back({marker.name.empty() ? marker.kind : marker.name, marker.position,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <imgui.h>
+#include <span>
 
 #include "view/widgets.hpp"
 
@@ -153,7 +154,17 @@ void StepOverlay::draw_triangles(view::Renderer& renderer, const Walker& walker)
 void StepOverlay::draw(view::Renderer& renderer, const Walker& walker, const dvec3& position) {
     if (trail) {
         const auto places = walker.trail();
-        renderer.polyline(places, {.colour = view::with_opacity(paint::paper, 0.8), .width = 2, .behind = 0.25});
+        const std::span<const dvec3> all(places);
+        const std::size_t here = walker.looks_at();
+        const auto stroke = [](double opacity) {
+            return view::Stroke{.colour = view::with_opacity(paint::paper, opacity), .width = 2, .behind = 0.25};
+        };
+        renderer.polyline(all.first(here + 1), stroke(0.85));
+        renderer.polyline(all.subspan(here), stroke(0.4));
+        if (const auto& other = walker.what_if(); !other.empty()) {
+            renderer.polyline(other, {.colour = paint::accent, .width = 3, .behind = 0.5});
+            renderer.label({.place = other.back(), .text = "with the new settings", .behind = 1, .yields = true});
+        }
     }
     const CharacterState& state = walker.state();
     if (ground && state.footing != Footing::air) {
@@ -213,7 +224,9 @@ void StepOverlay::ui() {
     box("Asked triangles", triangles, "All triangles that the step asked the level for.", true);
     box("Ground", ground, "The normal of what is stood on.");
     box("Velocity", velocity, "Blue is what it has, green what is wished.", true);
-    box("Trail", trail, "Where it was in the last 20 seconds.");
+    box("Trail", trail,
+        "Where it was in the last 20 seconds. Seen from the past, with settings that were changed: in green, where the "
+        "same inputs would lead.");
     box("Why", why, "Why it stopped or was slowed last, in words.", true);
 }
 

@@ -81,6 +81,7 @@ void Walker::begin_past() {
 void Walker::touch() {
     told_.reset();
     stop_.reset();
+    what_if_.reset();
 }
 
 void Walker::change(const CharacterSettings& settings) {
@@ -88,6 +89,7 @@ void Walker::change(const CharacterSettings& settings) {
     settings_ = settings;
     settings_.surfaces = {};
     is_changed_ = true;
+    what_if_.reset();
     if (rise == 0) return;
     CharacterState moved = state();
     moved.position.y += rise;
@@ -97,6 +99,7 @@ void Walker::change(const CharacterSettings& settings) {
 void Walker::change(const std::vector<SurfaceRule>& surfaces) {
     surfaces_ = surfaces;
     is_changed_ = true;
+    what_if_.reset();
 }
 
 void Walker::make_tick(const CharacterInput& input) {
@@ -201,10 +204,25 @@ Session Walker::session() const {
     return session_of(ring_, world_, past_settings_, now_);
 }
 
+const std::vector<dvec3>& Walker::what_if() const {
+    if (what_if_) return *what_if_;
+    what_if_.emplace();
+    if (!is_changed_ || looks_at() == ticks()) return *what_if_;
+    CharacterSettings settings = settings_;
+    settings.surfaces = SurfaceRules(surfaces_);
+    CharacterState state = this->state();
+    what_if_->push_back(state.position);
+    for (std::size_t i = looks_at(); i < ticks(); ++i) {
+        state = step(world_, settings, ring_[i].input, ring_[i].dt, state).state;
+        what_if_->push_back(state.position);
+    }
+    return *what_if_;
+}
+
 std::vector<dvec3> Walker::trail() const {
     std::vector<dvec3> places;
-    for (std::size_t i = 0; i < looks_at(); ++i) places.push_back(ring_[i].before.position);
-    places.push_back(state().position);
+    for (std::size_t i = 0; i < ticks(); ++i) places.push_back(ring_[i].before.position);
+    places.push_back(now_.position);
     return places;
 }
 

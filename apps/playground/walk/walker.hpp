@@ -88,8 +88,12 @@ public:
     /// All that is remembered, to be played again.
     [[nodiscard]] Session session() const;
 
-    /// Where the body was, up to the state that is looked at.
+    /// Where the body was, from the oldest state to the present.
     [[nodiscard]] std::vector<dvec3> trail() const;
+
+    /// Where the inputs that came after the state that is looked at lead with settings that were changed since: a place
+    /// a tick, from that state on. Empty while nothing was changed.
+    [[nodiscard]] const std::vector<dvec3>& what_if() const;
 
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const CharacterSettings& settings() const { return settings_; }
@@ -131,6 +135,7 @@ private:
     mutable std::optional<ToldStep> told_;
     mutable std::optional<ToldStep> stop_;
     mutable std::size_t stop_tick_ = 0;
+    mutable std::optional<std::vector<dvec3>> what_if_;
 };
 
 /// How far the lowest point of an upright body is below its reference point [m].
