@@ -1,6 +1,8 @@
 #include "debugger/made_step.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 namespace surefoot::debugger {
 
@@ -46,6 +48,11 @@ MadeStep recorded_step(const StepCapture& capture) {
     return {{settings_of(capture), capture.input, capture.dt, capture.before},
             {capture.after, capture.events},
             capture.records};
+}
+
+dvec3 up_of(const CharacterInput& input) {
+    const double size = glm::length(input.up);
+    return size > 0 && std::isfinite(size) ? input.up / size : dvec3(0, 1, 0);
 }
 
 double skin_of(const Shape& shape) {

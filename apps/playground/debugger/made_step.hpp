@@ -35,6 +35,9 @@ struct MadeStep {
 /// The recorded one, as the file has it. The file's surfaces have to outlive it.
 [[nodiscard]] MadeStep recorded_step(const StepCapture& capture);
 
+/// Its direction, of length 1; +Y where a file's has none.
+[[nodiscard]] dvec3 up_of(const CharacterInput& input);
+
 /// A question as one tick: a character that flies, so that nothing but the wish moves it, that has the velocity of its
 /// wish already, and a second to go. So what it wants is END - START, bit for bit; it slides along what is in the way.
 /// It knows no one-sided triangles: a step meets both sides.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "debugger/made_step.hpp"
+
 namespace surefoot::debugger {
 
 namespace {
@@ -13,7 +15,9 @@ SavedStep saved(StepCapture capture, std::string_view file) {
     step.capture = std::move(capture);
     step.differs = replay(step.capture).differs;
     const StepCapture& kept = step.capture;
-    const Neighbour body = neighbour_of(settings_of(kept), kept.input, kept.before);
+    CharacterInput input = kept.input;
+    input.up = up_of(input);
+    const Neighbour body = neighbour_of(settings_of(kept), input, kept.before);
     Question& question = step.question;
     question.world = WorldKind::own;
     question.sizes.set(body.volume.shape);

@@ -43,7 +43,7 @@ std::string away(const MadeStep& then, const MadeStep& now) {
     const dvec3 moved = now.result.state.position - then.result.state.position;
     const double far = glm::length(moved);
     if (far == 0) return "It ends at the same place.";
-    const dvec3 up = glm::normalize(then.order.input.up);
+    const dvec3 up = up_of(then.order.input);
     const double higher = glm::dot(moved, up);
     const dvec3 wish = then.order.input.wish - up * glm::dot(then.order.input.wish, up);
     std::string text = fmt::format("It ends {} m from there", short_text(far));

@@ -42,7 +42,9 @@ dvec3 middle_of(const Volume& volume) {
 }
 
 Neighbour body_of(const debugger::MadeStep& step, const CharacterState& state) {
-    return neighbour_of(step.order.settings, step.order.input, state);
+    CharacterInput input = step.order.input;
+    input.up = debugger::up_of(input);
+    return neighbour_of(step.order.settings, input, state);
 }
 
 class StepPanel final : public Panel {
@@ -81,11 +83,11 @@ void StepPanel::changed(const Inquiry& inquiry) {
     const debugger::MadeStep& step = study_->recorded();
     depths_ = debugger::depths_of(step.records);
     line_ = decisive();
-    if (!is_valid(step.order.settings)) return;
+    if (step.result.events.has(CharacterEvent::invalid)) return;  // there is no body to speak of
     const Neighbour body = body_of(step, step.order.before);
     const double reach = view::reach_of(body.volume.shape);
     look_.middle = middle_of(body.volume);
-    look_.up = glm::normalize(step.order.input.up);
+    look_.up = debugger::up_of(step.order.input);
     look_.size = 0.6 * reach;
     look_.from = step.order.before.position;
     // A tick is a hundredth of a second, and its way is as short: it is drawn about as long as the body is tall.
@@ -106,7 +108,7 @@ std::size_t StepPanel::decisive() const {
 void StepPanel::draw_ghost(view::Renderer& renderer) const {
     const debugger::MadeStep& again = study_->again();
     const dvec3& place = again.result.state.position;
-    if (!study_->is_edited() || !is_valid(again.order.settings)) return;
+    if (!study_->is_edited() || again.result.events.has(CharacterEvent::invalid)) return;
     const Neighbour body = body_of(again, again.result.state);
     renderer.shape(body.volume, place, {.colour = ghost, .opacity = 0.16, .outline = 2.2, .casts_shadow = false});
     const Bounds box = debugger::bounds_of(body.volume, place);
@@ -141,10 +143,12 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
         const debugger::SavedStep& saved = *inquiry.saved_step;
         ui::heading(std::filesystem::path(saved.file).filename().string());
         if (!saved.capture.note.empty()) wrapped(saved.capture.note);
+        ImGui::PushTextWrapPos(0);
         if (saved.differs.empty())
             ui::key_colour(paint::end, "Made again: the same, to the last bit.");
         else
             ui::key_colour(paint::start, debugger::verdict_text(saved));
+        ImGui::PopTextWrapPos();
         ui::note(fmt::format("A tick of {:.4g} ms, {}, at {:.3g} m/s; it wishes for {:.3g} m/s{}. {}",
                              1e3 * step.order.dt, debugger::footing_text(before.footing), glm::length(before.velocity),
                              glm::length(step.order.input.wish), step.order.input.jump ? ", and jump is held" : "",

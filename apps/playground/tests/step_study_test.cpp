@@ -220,6 +220,19 @@ TEST(SavedStep, of_other_bits_and_of_no_step_is_told) {
     EXPECT_FALSE(open_step((std::filesystem::path(testing::TempDir()) / "no-such-step.json").string()));
 }
 
+TEST(SavedStep, that_asks_for_what_cannot_be_is_shown_and_told) {
+    StepCapture wrong = before_the_kerb();
+    wrong.input.up = {0, 0, 0};
+    const auto opened = step_from_text(capture_text(wrong), "here");
+    ASSERT_TRUE(opened) << opened.error().text;
+    EXPECT_NE(opened->differs, "") << "this build refuses it";
+    EXPECT_TRUE(is_valid(opened->question.volume()));
+    const StepStudy study(opened->capture);
+    EXPECT_TRUE(study.again().result.events.has(CharacterEvent::invalid));
+    EXPECT_TRUE(tells(study.why_again(), "Nothing was moved"));
+    EXPECT_EQ(study.difference().find("nan"), std::string::npos) << study.difference();
+}
+
 TEST(SavedStep, of_a_body_that_moves_stands_where_the_tick_begins) {
     StepCapture saved = before_the_kerb();
     for (CapturedBody& body : saved.bodies) {
