@@ -83,6 +83,7 @@ Any any_step(SplitMix& random, const Course& course) {
         any.state = step(course.world, any.settings, any.input, 1.0 / 60, any.state).state;
     }
     any.neighbours = any_neighbours(random, any.state.position);
+    any.settings.flat_foot = random.next() % 2 == 0;
     any.settings.firmness = random.next() % 2 == 0 ? Firmness::soft : Firmness::hard;
     return any;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -118,7 +119,13 @@ inline void write_neighbours(Writer& w, const std::vector<Neighbour>& neighbours
 template <typename Struct>
 inline constexpr std::size_t newest_fields = 0;
 template <>
-inline constexpr std::size_t newest_fields<CharacterSettings> = 1;  // firmness
+inline constexpr std::size_t newest_fields<CharacterSettings> = 2;  // firmness, flat_foot
+
+/// Settings of the newest form have all of its fields, those of an older one none. Otherwise it fails.
+inline void check_newest_settings(JsonReader& in, std::size_t are_there, bool is_newest) {
+    check_newest(in, "firmness\" or \"flat_foot",
+                 is_newest ? are_there == newest_fields<CharacterSettings> : are_there > 0, is_newest);
+}
 
 /// Reads objects that `write_fields` has written. Rules for surfaces are put into a list of the caller's.
 class FieldReader {
@@ -127,9 +134,9 @@ public:
 
     FieldReader(JsonReader& in, std::vector<SurfaceRule>& surfaces) noexcept : in_(in), surfaces_(surfaces) {}
 
-    /// True if the newest fields are there.
+    /// How many of the newest fields are there.
     template <typename Struct>
-    bool read(Struct& to) {
+    std::size_t read(Struct& to) {
         std::array<std::string_view, 64> names;
         std::size_t count = 0;
         visit_fields(to, [&](const char* name, auto&) { names[count++] = name; });
@@ -140,7 +147,7 @@ public:
                 if (i++ == wanted) read_field(field);
             });
         });
-        return seen >> required != 0;
+        return static_cast<std::size_t>(std::popcount(seen >> required));
     }
 
     /// Fails if `to` would get more than `most`.

@@ -18,7 +18,7 @@ constexpr std::size_t most_kept_neighbours = std::size_t{1} << 16U;
 
 // What came with the newest form.
 struct Newest {
-    bool firmness = false;
+    std::size_t settings = 0;
     bool neighbours = false;
 };
 
@@ -26,7 +26,7 @@ void read_step(JsonReader& in, StepCapture& capture, Newest& newest) {
     constexpr std::array<std::string_view, 5> names{"settings", "input", "dt", "before", "neighbours"};
     FieldReader fields(in, capture.surfaces);
     const auto seen = in.object(names, 4, [&](std::size_t i) {
-        if (i == 0) newest.firmness = fields.read(capture.settings);
+        if (i == 0) newest.settings = fields.read(capture.settings);
         if (i == 1) fields.read(capture.input);
         if (i == 2) capture.dt = in.number();
         if (i == 3) fields.read(capture.before);
@@ -70,7 +70,7 @@ StepCapture read_whole(JsonReader& in) {
     });
     in.end();
     const bool is_newest = capture.origin.format == step_form;
-    if (in.good()) check_newest(in, "firmness", newest.firmness, is_newest);
+    if (in.good()) check_newest_settings(in, newest.settings, is_newest);
     if (in.good()) check_newest(in, "neighbours", newest.neighbours, is_newest);
     if (in.good() && capture.bodies.empty() && !capture.triangles.empty()) {
         in.fail("a triangle is of a body that is not in the file");

@@ -46,21 +46,21 @@ public:
     Session read() {
         constexpr std::array<std::string_view, 9> names{"surefoot_session", "library", "abi",    "note", "level",
                                                         "settings",         "first",   "bodies", "ticks"};
-        bool has_firmness = false;
+        std::size_t newest_settings = 0;
         in_.object(names, names.size(), [&](std::size_t i) {
             if (i == 0) session_.origin.format = read_format(in_, first_session_form, session_form);
             if (i == 1) session_.origin.library = read_version(in_);
             if (i == 2) session_.origin.abi = in_.text();
             if (i == 3) session_.note = in_.text();
             if (i == 4) session_.level = in_.bits();
-            if (i == 5) has_firmness = fields_.read(session_.settings);
+            if (i == 5) newest_settings = fields_.read(session_.settings);
             if (i == 6) fields_.read(session_.first);
             if (i == 7) read_poses(session_.bodies);
             if (i == 8) read_ticks();
         });
         in_.end();
         const bool is_newest = session_.origin.format == session_form;
-        if (in_.good()) check_newest(in_, "firmness", has_firmness, is_newest);
+        if (in_.good()) check_newest_settings(in_, newest_settings, is_newest);
         const bool fits = with_neighbours_ == (is_newest ? session_.ticks.size() : 0);
         if (in_.good() && !fits) check_newest(in_, "neighbours", !is_newest, is_newest);
         return std::move(session_);

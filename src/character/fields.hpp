@@ -25,7 +25,6 @@ void visit_fields(T& s, const Visit& visit) {
     visit("step_depth", s.step_depth);
     visit("snap_down", s.snap_down);
     visit("perch_distance", s.perch_distance);
-    visit("flat_foot", s.flat_foot);
     visit("response", s.response);
     visit("slope_speed", s.slope_speed);
     visit("gravity", s.gravity);
@@ -57,6 +56,7 @@ void visit_fields(T& s, const Visit& visit) {
     visit("surfaces", s.surfaces);
     visit("longest_tick", s.longest_tick);
     visit("firmness", s.firmness);
+    visit("flat_foot", s.flat_foot);
 }
 
 template <Either<SurfaceRule> T, typename Visit>

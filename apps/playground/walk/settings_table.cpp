@@ -25,6 +25,7 @@ constexpr SettingRow ground[] = {
     {"snap_down", &S::snap_down, "m", 0, 1.5, "How far the ground may drop away under it. 0: every bump is a jump."},
     {"perch_distance", &S::perch_distance, "m", 0, 1, "How far from its axis an edge may hold it. Farther: it slips."},
     {"firmness", &S::firmness, "", 0, 0, "How other characters meet this one. Nobody else is here."},
+    {"flat_foot", &S::flat_foot, "", 0, 0, "Beside an edge it keeps the floor's height, where a round body would dip."},
     {"response", &S::response, "", 0, 0, "What becomes of the rest of a move that something stopped."},
     {"slope_speed", &S::slope_speed, "", 0, 0, "Is the speed meant as seen from above, or along the ground?"},
 };
