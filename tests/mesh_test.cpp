@@ -153,6 +153,20 @@ TEST(Mesh, a_triangle_that_is_not_there_is_all_zeros) {
     }
 }
 
+TEST(Mesh, a_ray_that_all_but_stands_still_meets_a_point_whichever_way_it_is_searched) {
+    // Found by fuzzing: along two axes it goes less than floats can hold, and the tree let it pass.
+    const std::vector<vec3> vertices(3, vec3(0, 0, 0));
+    const std::vector<std::uint32_t> indices{0, 1, 2};
+    const auto mesh = Mesh::build({.vertices = vertices, .indices = indices});
+    ASSERT_TRUE(mesh.has_value());
+    const Motion motion{{-8.59425630745973e-26, -1.5658599086263204e-242, 5.07e-321}, {0, 0, 0}};
+    for (const Search search : {Search::brute_force, Search::scalar_tree, Search::tree}) {
+        const auto hit = mesh->ray(motion, {.search = search});
+        ASSERT_TRUE(hit.has_value()) << static_cast<int>(search);
+        EXPECT_EQ(hit->t, 1);
+    }
+}
+
 TEST(Mesh, an_invalid_query_is_blocked) {
     const Mesh mesh = soup(6, 10);
     const auto hit = mesh.sweep(Sphere{0}, {{0, 0, 0}, {1, 1, 1}});

@@ -126,11 +126,13 @@ HWY_INLINE Slabs slabs_of(const MeshSearch& search) noexcept {
         const Vec& high = search.extent.max;
         const double low_side = axis == 0 ? low.x : (axis == 1 ? low.y : low.z);
         const double high_side = axis == 0 ? high.x : (axis == 1 ? high.y : high.z);
-        // Rounding in what follows: of three sums, a product and a quotient.
-        const double margin = 0x1p-20 * (absolute(from) + absolute(along) + magnitude_of(search.view->bounds));
+        const double least = 1e-30;  // less is standing still
+        // Rounding in what follows: of three sums, a product and a quotient. Never so little that a box around who
+        // stands still is left before the motion ends, or that floats lose it.
+        const double margin =
+            0x1p-20 * (absolute(from) + absolute(along) + magnitude_of(search.view->bounds)) + 100 * least;
         slabs.below[axis] = float_at_least(from + high_side + margin);
         slabs.above[axis] = float_at_most(from + low_side - margin);
-        const double least = 1e-30;  // less is standing still
         slabs.per_along[axis] = static_cast<float>(absolute(along) < least ? 1e30 : 1 / along);
     }
     return slabs;
