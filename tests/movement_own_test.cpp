@@ -1,4 +1,4 @@
-// Ways of moving of the user's own, and flat feet.
+// Ways of moving of the user's own, what it presses against, and flat feet.
 #include <limits>
 
 #include "movement_scene.hpp"
@@ -118,6 +118,72 @@ TEST(MovementOwn, AnAnswerThatIsNoNumberStandsStill) {
     actor.run(world, 10, {.mode = CharacterMode::own}, {.move = nonsense});
     EXPECT_EQ(actor.state.position, dvec3(0, 2, 0));
     EXPECT_EQ(actor.state.velocity, dvec3(0, 0, 0));
+}
+
+const CharacterContact* contact_with(const StepResult& result, std::uint32_t body) {
+    for (const CharacterContact& contact : result.contacts.get()) {
+        if (contact.body == body) return &contact;
+    }
+    return nullptr;
+}
+
+// A floor, body 1, and a wall of its own, body 2, at x = 2.
+World walled() {
+    World world;
+    EXPECT_TRUE(world.add(Scene().floor(-5, 5, -5, 5).mesh(), {.body = 1}));
+    EXPECT_TRUE(world.add(Scene().block({2, 0, -5}, {3, 3, 5}).mesh(), {.body = 2}));
+    return world;
+}
+
+TEST(MovementContacts, WhoStandsPressesWithTheWeightOfATick) {
+    const World world = walled();
+    Actor actor;
+    actor.state.position = {0, 1, 0};
+    actor.run(world, 1);
+    const StepResult result = step(world, actor.settings, {}, actor.dt, actor.state);
+    ASSERT_EQ(result.contacts.count, 1U);
+    const CharacterContact* floor = contact_with(result, 1);
+    ASSERT_NE(floor, nullptr);
+    EXPECT_EQ(floor->impulse, dvec3(0, -actor.settings.gravity * actor.dt, 0));
+    EXPECT_NEAR(floor->point.y, 0, 1e-12);
+}
+
+TEST(MovementContacts, AWallIsGivenTheVelocityThatItTakesAndNoMore) {
+    const World world = walled();
+    Actor actor;
+    actor.state.position = {1, 1, 0};
+    const CharacterContact* wall = nullptr;
+    StepResult result;
+    for (int i = 0; i < 120 && wall == nullptr; ++i) {
+        result = step(world, actor.settings, {.wish = {3, 0, 2}}, actor.dt, actor.state);
+        actor.state = result.state;
+        wall = contact_with(result, 2);
+    }
+    ASSERT_NE(wall, nullptr);
+    EXPECT_NEAR(wall->impulse.x, 3, 1e-6);
+    EXPECT_NEAR(wall->impulse.z, 0, 1e-6) << "along it nothing is taken";
+    EXPECT_NEAR(wall->normal.x, -1, 1e-9);
+    EXPECT_NEAR(wall->point.x, 2, 1e-9);
+}
+
+TEST(MovementContacts, WhatFallsGivesItsSpeedToWhatItLandsOn) {
+    const World world = walled();
+    Actor actor;
+    actor.state.position = {0, 4, 0};
+    for (int i = 0; i < 120; ++i) {
+        const StepResult result = step(world, actor.settings, {}, actor.dt, actor.state);
+        actor.state = result.state;
+        if (!result.events.has(CharacterEvent::landed)) {
+            EXPECT_EQ(result.contacts.count, 0U) << "nothing is pressed in the air";
+            continue;
+        }
+        const CharacterContact* floor = contact_with(result, 1);
+        ASSERT_NE(floor, nullptr);
+        const double weight = actor.settings.gravity * actor.dt;
+        EXPECT_NEAR(-floor->impulse.y, result.events.landing_speed + weight, 1e-6);
+        return;
+    }
+    FAIL() << "it never landed";
 }
 
 // The lowest that the feet come to, walking off a floor's edge on to one 0.3 m lower, before the axis is 0.15 m past

@@ -7,6 +7,7 @@
 /// How a body is moved, in one place: docs/movement.md.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -135,9 +136,30 @@ struct CharacterEvents {
     }
 };
 
+/// Something of the world that a character pressed against in one tick.
+struct CharacterContact {
+    dvec3 point{0, 0, 0};   ///< [m]
+    dvec3 normal{0, 0, 0};  ///< unit, towards the character
+    /// What to give to the body at `point`, for each kilogram of the character [m/s]: against what is in the way, the
+    /// velocity along the normal that it took, measured from the body's own; on ground, the weight of one tick.
+    dvec3 impulse{0, 0, 0};
+    std::uint32_t body = 0;
+    std::uint32_t triangle = 0;
+};
+
+/// For dynamic bodies of your own physics: times the character's mass these are the impulses to apply to them. What
+/// stands still needs none. Neighbours are not among them.
+struct CharacterContacts {
+    std::array<CharacterContact, 4> all{};
+    std::uint32_t count = 0;
+
+    [[nodiscard]] std::span<const CharacterContact> get() const noexcept { return {all.data(), count}; }
+};
+
 struct StepResult {
     CharacterState state;
     CharacterEvents events;
+    CharacterContacts contacts{};
 };
 
 /// Moves a character by one tick.

@@ -1,6 +1,7 @@
 // On foot, through the air, through water, up a ladder: how a wish becomes a way.
 #include <algorithm>
 
+#include "character/contacts.hpp"
 #include "character/look.hpp"
 #include "character/motion.hpp"
 #include "character/tick.hpp"
@@ -63,6 +64,7 @@ void go_on_foot(Tick& tick, double seconds) noexcept {
     if (walked.overflow) tick.say(CharacterEvent::overflow);
     if (walked.met_ceiling) tick.say(CharacterEvent::hit_ceiling);
     tick.tell_obstacle(walked.obstacle);
+    press(tick, {walked.met.data(), walked.met_count}, travel.velocity);
     if (tick.ground.footing == Footing::ground) return;
     tick.standing = false;
     tick.velocity = tick.velocity + left_behind(tick);

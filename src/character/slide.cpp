@@ -257,6 +257,7 @@ private:
         if (scale > 0) met.share = -dot(normal, wish) / scale;
         if (met.share > result_.obstacle.share) result_.obstacle = met;
         if (touch.is_neighbour) return;  // nothing to step on to
+        if (result_.met_count < result_.met.size()) result_.met[result_.met_count++] = met;
         if (rises < -0.1) result_.met_ceiling = true;
         if (rises >= gait_.least_ground_up || rises <= -0.5) return;
         if (result_.wall_count < result_.walls.size()) result_.walls[result_.wall_count++] = met;

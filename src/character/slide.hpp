@@ -41,8 +41,10 @@ struct Obstacle {
 
 struct SlideResult {
     Vec position;
-    Planes3 planes;                   ///< all that were obeyed
-    Obstacle obstacle;                ///< the one that was met the most squarely
+    Planes3 planes;                 ///< all that were obeyed
+    Obstacle obstacle;              ///< the one that was met the most squarely
+    std::array<Obstacle, 4> met{};  ///< the first of the world's that were obeyed
+    std::size_t met_count = 0;
     std::array<Obstacle, 3> walls{};  ///< what cannot be walked on and does not hang over; for steps
     std::size_t wall_count = 0;
     bool met_ceiling = false;

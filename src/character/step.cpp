@@ -3,6 +3,7 @@
 #include <surefoot/character.hpp>
 
 #include "character/body.hpp"
+#include "character/contacts.hpp"
 #include "character/tick.hpp"
 #include "ieee_guard.hpp"
 #include "limits.hpp"
@@ -100,14 +101,15 @@ StepResult step(const World& world, const CharacterSettings& settings, const Cha
         result.events.set = static_cast<std::uint32_t>(CharacterEvent::invalid);
         return result;
     }
-    const double parts = std::ceil(dt / settings.longest_tick);
+    const int parts = static_cast<int>(std::ceil(dt / settings.longest_tick));
     CharacterInput once = input;
-    for (double done = 0; done < parts; ++done) {
-        const internal::TickPart part{done / parts, (done + 1) / parts};
+    for (int done = 0; done < parts; ++done) {
+        const internal::TickPart part{static_cast<double>(done) / parts, static_cast<double>(done + 1) / parts};
         const StepResult next =
             internal::tick_once({world, settings, once, dt, part, result.state, neighbours, trace, hooks});
         result.state = next.state;
         result.events = merged(result.events, next.events);
+        result.contacts = internal::merged(result.contacts, next.contacts);
         once.impulse = {0, 0, 0};
     }
     if (parts > 1) result.events.set |= static_cast<std::uint32_t>(CharacterEvent::sub_stepped);

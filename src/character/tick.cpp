@@ -2,6 +2,7 @@
 
 #include "angle.hpp"
 #include "character/body.hpp"
+#include "character/contacts.hpp"
 #include "character/form.hpp"
 #include "character/recover.hpp"
 
@@ -10,6 +11,7 @@ namespace surefoot::internal {
 namespace {
 
 StepResult finish(Tick& tick) noexcept {
+    weigh(tick);
     CharacterState& after = tick.state;
     after.position = to_dvec3(tick.position);
     after.velocity = to_dvec3(tick.velocity);
@@ -24,7 +26,7 @@ StepResult finish(Tick& tick) noexcept {
         after.footing = Footing::ledge;
         after.ground_normal = {0, 0, 0};
         after.ground_velocity = {0, 0, 0};
-        return {after, tick.events};
+        return {after, tick.events, tick.contacts};
     }
     const bool carried = after.footing != Footing::air;
     after.ground_normal = carried ? to_dvec3(tick.ground.normal) : dvec3{0, 0, 0};
@@ -32,7 +34,7 @@ StepResult finish(Tick& tick) noexcept {
     after.ground_body = carried ? tick.ground.body : 0;
     after.ground_triangle = carried ? tick.ground.triangle : 0;
     after.ground_surface = carried ? tick.ground.surface : 0;
-    return {after, tick.events};
+    return {after, tick.events, tick.contacts};
 }
 
 }  // namespace
@@ -87,6 +89,7 @@ void Tick::glide(const Vec& way, const Vec& velocity_after) noexcept {
     if (slid.overflow) say(CharacterEvent::overflow);
     if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
     tell_obstacle(slid.obstacle);
+    press(*this, {slid.met.data(), slid.met_count}, velocity_after);
 }
 
 void Tick::tell_obstacle(const Obstacle& obstacle) noexcept {

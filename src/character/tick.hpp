@@ -47,6 +47,7 @@ struct Tick {
     Surroundings surroundings;
     CharacterState state;  ///< what it was, until it is told what it is
     CharacterEvents events{};
+    CharacterContacts contacts{};
     Vec position;
     Vec velocity;
     Ground ground{};

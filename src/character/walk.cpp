@@ -65,6 +65,9 @@ private:
             return;
         }
         if (slid.obstacle.share > result_.obstacle.share) result_.obstacle = slid.obstacle;
+        for (std::size_t i = 0; i < slid.met_count && result_.met_count < result_.met.size(); ++i) {
+            result_.met[result_.met_count++] = slid.met[i];
+        }
         const Vec velocity = slid.planes.nearest_on_foot(slid.answered.value_or(result_.velocity), gait_.up);
         result_.velocity = velocity - gait_.up * dot(velocity, gait_.up);
     }

@@ -14,6 +14,8 @@ struct WalkResult {
     Vec velocity;       ///< what is left of the level velocity [m/s]
     double done = 1;    ///< share of the way that was gone when the ground was left [0, 1]
     Obstacle obstacle;  ///< met the most squarely
+    std::array<Obstacle, 4> met{};
+    std::size_t met_count = 0;
     bool stepped_up = false;
     bool snapped_down = false;
     bool met_ceiling = false;

@@ -14,7 +14,7 @@ namespace {
 
 // A folder for each version: what another one cooked is cooked again instead of being looked at.
 std::string cache_folder() {
-    const std::string folder = internal::cache_folder();
+    std::string folder = internal::cache_folder();
     if (folder.empty()) return folder;
     const Version version = library_version();
     return folder + "/cooked-" + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
@@ -31,7 +31,7 @@ Error no_cache() {
 }  // namespace
 
 std::string cache_path(std::uint64_t made_from) {
-    const std::string folder = cache_folder();
+    std::string folder = cache_folder();
     if (folder.empty()) return folder;
     char digits[16];
     const auto end = std::to_chars(digits, digits + sizeof digits, made_from, 16).ptr;

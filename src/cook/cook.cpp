@@ -106,7 +106,7 @@ Box3 bounds_of(const Soup& soup) {
 }
 
 Expected<Mesh> mesh_of(std::span<const Section> sections, std::uint64_t made_from) {
-    const auto begin = lay_out(sections, made_from);
+    auto begin = lay_out(sections, made_from);
     if (!begin) return tl::unexpected(begin.error());
     std::vector<std::byte> image = std::move(*begin);
     for (const Section& section : sections) {

@@ -80,7 +80,7 @@ std::optional<LevelNotes> notes_from(std::span<const std::byte> bytes) {
     LevelNotes notes;
     notes.surface_names = take_texts(in);
     notes.surface_extras = take_texts(in);
-    notes.parts.resize(in.take_count(3 * 4));
+    notes.parts.resize(in.take_count(std::size_t{3} * 4));
     for (Part& part : notes.parts) {
         part.name = in.take_text();
         part.first_triangle = in.take<std::uint32_t>();

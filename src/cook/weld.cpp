@@ -26,7 +26,8 @@ public:
         std::uint32_t best = nobody;
         // Cells are as wide as the tolerance, so whatever is near enough is in the cell or in one beside it.
         for (int corner = 0; corner < 27; ++corner) {
-            const Vec offset{corner % 3 - 1.0, corner / 3 % 3 - 1.0, corner / 9 - 1.0};
+            const int along[3] = {corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1};
+            const Vec offset{double(along[0]), double(along[1]), double(along[2])};
             for (std::uint32_t other = first_in_cell_[cell_of(place, offset)]; other != nobody;
                  other = next_in_cell_[other]) {
                 const Vec apart = to_vec(vertices_[other]) - place;

@@ -62,11 +62,11 @@ struct LeafBlock {
     std::uint32_t tile = 0;
 
     [[nodiscard]] const float* axis(int i) const noexcept {
-        return reinterpret_cast<const float*>(words + 1) + static_cast<std::uint32_t>(i) * vertices;
+        return reinterpret_cast<const float*>(words + 1) + static_cast<std::size_t>(i) * vertices;
     }
     [[nodiscard]] const std::uint8_t* corner(int i) const noexcept {
         return reinterpret_cast<const std::uint8_t*>(words + 1 + 3 * std::size_t{vertices}) +
-               static_cast<std::uint32_t>(i) * count;
+               static_cast<std::size_t>(i) * count;
     }
     [[nodiscard]] const std::uint8_t* edges() const noexcept { return corner(3); }
     [[nodiscard]] const std::uint32_t* ids() const noexcept { return words + 1 + 3 * std::size_t{vertices} + count; }
