@@ -89,6 +89,11 @@ std::optional<Crossing> first_edge_met(const Vec (&corners)[3], const Vec& from,
     return first;
 }
 
+// A direction near the end of the doubles' range would be lost where it is scaled to one.
+Vec enlarged(const Vec& v) noexcept {
+    return largest(v) < 0x1p-900 ? v * 0x1p1000 : v;
+}
+
 Hit make_hit(double t, const Vec& from, const Vec& to, const Vec& normal, Feature feature) noexcept {
     Hit hit;
     hit.t = t;
@@ -116,7 +121,8 @@ std::optional<Hit> cross_face(const Vec (&corners)[3], const Vec& from, const Ve
     if (left && right) return std::nullopt;
 
     const Vec along = to - from;
-    Vec normal = unit(accurate_cross(scaled_to_one(corners[1] - corners[0]), scaled_to_one(corners[2] - corners[0])));
+    Vec normal = unit(accurate_cross(scaled_to_one(enlarged(corners[1] - corners[0])),
+                                     scaled_to_one(enlarged(corners[2] - corners[0]))));
     if (start < 0 || (start == 0 && end > 0)) normal = -normal;
     // The nearest corner gives the height its best digits.
     double height = 0;
@@ -155,7 +161,7 @@ std::optional<Hit> ray(const Motion& motion, const Triangle& triangle, const Swe
     if (start != 0 || end != 0) return cross_face(corners, from, to, start, end);
     const auto crossing = first_edge_met(corners, from, to);
     if (!crossing) return std::nullopt;
-    return make_hit(crossing->t, from, to, -unit(to - from), crossing->feature);
+    return make_hit(crossing->t, from, to, -unit(enlarged(to - from)), crossing->feature);
 }
 
 }  // namespace v0

@@ -103,6 +103,26 @@ TEST(Ray, one_sided_sees_fronts_only) {
     EXPECT_FALSE(ray({down.to, down.from}, floor_triangle, {.one_sided = true}).has_value());
 }
 
+TEST(Ray, as_short_as_an_ulp_of_zero_meets_a_point_with_a_normal_of_unit_length) {
+    // Found by fuzzing: the direction was lost, and the normal was zero.
+    const Triangle point{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    for (const double length : {1.428065e-317, 5e-324, 1e-300}) {
+        const auto hit = ray({{length, 0, 0}, {0, 0, 0}}, point);
+        ASSERT_TRUE(hit.has_value()) << length;
+        EXPECT_EQ(hit->normal, dvec3(1, 0, 0)) << length;
+        EXPECT_EQ(hit->t, 1);
+    }
+}
+
+TEST(Ray, through_a_triangle_of_a_few_ulps_of_zero_has_its_normal) {
+    const double tiny = 1e-310;
+    const Triangle small{{-tiny, 0, -tiny}, {-tiny, 0, tiny}, {tiny, 0, 0}};
+    const auto hit = ray({{0, 1, 0}, {0, -1, 0}}, small);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->normal, dvec3(0, 1, 0));
+    EXPECT_EQ(hit->t, 0.5);
+}
+
 TEST(Ray, with_numbers_out_of_range_blocks_and_says_so) {
     const auto hit = ray({{0, std::numeric_limits<double>::quiet_NaN(), 0}, {0, 0, 0}}, floor_triangle);
     ASSERT_TRUE(hit.has_value());
