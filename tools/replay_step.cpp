@@ -1,7 +1,7 @@
-#include <array>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "character_words.hpp"
 #include "query.hpp"
 #include "replays.hpp"
 #include "text.hpp"
@@ -9,47 +9,14 @@
 namespace surefoot::tools {
 namespace {
 
-constexpr std::array footings{"in the air", "on ground", "on something too steep", "holding an edge"};
-
-std::string events_text(const CharacterEvents& events) {
-    constexpr std::array names{"jumped",
-                               "landed",
-                               "left ground",
-                               "stepped up",
-                               "snapped down",
-                               "blocked",
-                               "hit a ceiling",
-                               "crushed",
-                               "stuck",
-                               "recovered",
-                               "sub-stepped",
-                               "overflow",
-                               "pushed",
-                               "dashed",
-                               "climbing",
-                               "no room",
-                               "invalid",
-                               "grabbed a ledge",
-                               "dropped from a ledge",
-                               "climbed a ledge",
-                               "vaulted",
-                               "met a neighbour"};
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if ((events.set >> i & 1U) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", names[i]);
-    }
-    return text.empty() ? "none" : text;
-}
-
 std::string counted(std::size_t count, std::string_view one, std::string_view many = {}) {
     if (count == 1) return fmt::format("1 {}", one);
     return many.empty() ? fmt::format("{} {}s", grouped(count), one) : fmt::format("{} {}", grouped(count), many);
 }
 
 std::string state_text(const CharacterState& state) {
-    const auto footing = static_cast<std::size_t>(state.footing);
     return fmt::format("at ({}), {} m/s, {}", short_vector(state.position), short_number(glm::length(state.velocity)),
-                       footing < footings.size() ? footings[footing] : "nowhere");
+                       footing_text(state.footing));
 }
 
 std::string outcome_text(const CharacterState& state, const CharacterEvents& events) {

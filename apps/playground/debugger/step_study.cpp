@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "character_words.hpp"
 #include "debugger/equation.hpp"
 #include "debugger/saved_step.hpp"
 #include "debugger/step_words.hpp"
@@ -190,11 +191,12 @@ std::string difference_text(const MadeStep& then, const MadeStep& now) {
     if (parts.empty() && a == b && then.result.events.set == now.result.events.set) return "The same, to the last bit.";
     std::string text = away(then, now);
     if (a.footing != b.footing)
-        text += fmt::format(" It is {} now, and was {}.", footing_text(b.footing), footing_text(a.footing));
+        text +=
+            fmt::format(" It is {} now, and was {}.", tools::footing_text(b.footing), tools::footing_text(a.footing));
     const CharacterEvents gained{.set = now.result.events.set & ~then.result.events.set};
     const CharacterEvents lost{.set = then.result.events.set & ~now.result.events.set};
-    if (gained.set != 0) text += fmt::format(" Now: {}.", events_text(gained));
-    if (lost.set != 0) text += fmt::format(" No more: {}.", events_text(lost));
+    if (gained.set != 0) text += fmt::format(" Now: {}.", tools::events_text(gained));
+    if (lost.set != 0) text += fmt::format(" No more: {}.", tools::events_text(lost));
     if (!parts.empty()) text += " " + parts;
     return text;
 }

@@ -26,10 +26,4 @@ namespace surefoot::debugger {
 /// Is it about a triangle?
 [[nodiscard]] bool names_triangle(const StepRecord& record);
 
-/// "blocked, stepped up"; "none".
-[[nodiscard]] std::string events_text(const CharacterEvents& events);
-
-/// "on ground".
-[[nodiscard]] std::string footing_text(Footing footing);
-
 }  // namespace surefoot::debugger

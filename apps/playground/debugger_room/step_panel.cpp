@@ -8,6 +8,7 @@
 #include <imgui.h>
 #include <optional>
 
+#include "character_words.hpp"
 #include "debugger/step_study.hpp"
 #include "debugger/step_words.hpp"
 #include "debugger/support.hpp"
@@ -150,7 +151,7 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
             ui::key_colour(paint::start, debugger::verdict_text(saved));
         ImGui::PopTextWrapPos();
         ui::note(fmt::format("A tick of {:.4g} ms, {}, at {:.3g} m/s; it wishes for {:.3g} m/s{}. {}",
-                             1e3 * step.order.dt, debugger::footing_text(before.footing), glm::length(before.velocity),
+                             1e3 * step.order.dt, tools::footing_text(before.footing), glm::length(before.velocity),
                              glm::length(step.order.input.wish), step.order.input.jump ? ", and jump is held" : "",
                              saved.remark));
     } else {
@@ -163,7 +164,7 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
 
 void StepPanel::why_ui() const {
     for (const StepSentence& sentence : study_->why()) wrapped("- " + sentence.text);
-    ui::note("Events: " + debugger::events_text(study_->recorded().result.events) + ".");
+    ui::note("Events: " + tools::events_text(study_->recorded().result.events) + ".");
 }
 
 void StepPanel::story_ui() {

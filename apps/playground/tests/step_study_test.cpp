@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "character_words.hpp"
 #include "debugger/saved_step.hpp"
 #include "debugger/step_words.hpp"
 
@@ -188,10 +189,11 @@ TEST(StepWords, tell_every_line_with_its_number_and_lay_it_in_what_it_is_part_of
 TEST(StepWords, have_a_title_for_every_act_and_a_name_for_every_event) {
     for (int act = 0; act <= static_cast<int>(StepAct::met_neighbour); ++act)
         EXPECT_NE(title_of({.act = static_cast<StepAct>(act)}), "unknown") << act;
-    EXPECT_EQ(events_text({}), "none");
-    EXPECT_EQ(events_text({.set = static_cast<std::uint32_t>(CharacterEvent::met_neighbour)}), "met a neighbour");
-    EXPECT_EQ(events_text({.set = static_cast<std::uint32_t>(CharacterEvent::blocked) |
-                                  static_cast<std::uint32_t>(CharacterEvent::stepped_up)}),
+    EXPECT_EQ(tools::events_text({}), "none");
+    EXPECT_EQ(tools::events_text({.set = static_cast<std::uint32_t>(CharacterEvent::met_neighbour)}),
+              "met a neighbour");
+    EXPECT_EQ(tools::events_text({.set = static_cast<std::uint32_t>(CharacterEvent::blocked) |
+                                         static_cast<std::uint32_t>(CharacterEvent::stepped_up)}),
               "stepped up, blocked");
 }
 
