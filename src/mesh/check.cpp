@@ -22,7 +22,7 @@ public:
             if (!is_valid_point(view_.tiles[i])) return fail("tiles", i, "has a tile beyond 1e9 m");
         for (std::size_t i = 0; i < view_.nodes.size(); ++i) {
             if (i > 0 && !node_seen_[i]) return fail("nodes", i, "has a node that belongs to no other");
-            if (const auto sound = node(i); !sound) return sound;
+            if (auto sound = node(i); !sound) return sound;
         }
         if (triangles_ != view_.places.size()) return fail("places", triangles_, "has triangles that are in no leaf");
         return {};
@@ -38,7 +38,7 @@ private:
             // is below has to lie in all of them.
             const Box3 box = common(box_of(node, k), within_[index]);
             if ((child & leaf_bit) != 0) {
-                if (const auto sound = leaf(child & ~leaf_bit, box); !sound) return sound;
+                if (auto sound = leaf(child & ~leaf_bit, box); !sound) return sound;
                 continue;
             }
             if (child <= index || child >= view_.nodes.size() || node_seen_[child])
