@@ -89,11 +89,6 @@ std::optional<Crossing> first_edge_met(const Vec (&corners)[3], const Vec& from,
     return first;
 }
 
-// A direction near the end of the doubles' range would be lost where it is scaled to one.
-Vec enlarged(const Vec& v) noexcept {
-    return largest(v) < 0x1p-900 ? v * 0x1p1000 : v;
-}
-
 Hit make_hit(double t, const Vec& from, const Vec& to, const Vec& normal, Feature feature) noexcept {
     Hit hit;
     hit.t = t;

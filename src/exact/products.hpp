@@ -60,7 +60,12 @@ inline Vec scaled_to_one(const Vec& a) noexcept {
     return scale < 0x1p-1000 ? Vec{} : a / scale;
 }
 
-/// Unit length, or zero for zero.
+/// The same direction, far enough from the end of the doubles' range not to be lost where it is scaled to one.
+inline Vec enlarged(const Vec& a) noexcept {
+    return largest(a) < 0x1p-900 ? a * 0x1p1000 : a;
+}
+
+/// Unit length, or zero for zero and for what is less than 2^-1000.
 inline Vec unit(const Vec& a) noexcept {
     const Vec scaled = scaled_to_one(a);
     const double size = length(scaled);

@@ -35,7 +35,8 @@ TriangleProblem seen_by(const Frame& frame, const OrderedTriangle& world, const 
     problem.normal = problem.normal * problem.winding;
     if (problem.normal == Vec{}) {
         // A segment has no normal, but whoever sits on it needs some way out across it; a point may be left upwards.
-        const Vec& e = problem.edge[longest];
+        // Enlarged, since products of what is shorter than 1e-160 m are nothing.
+        const Vec e = scaled_to_one(enlarged(problem.edge[longest]));
         const bool is_steep = absolute(e.y) >= larger(absolute(e.x), absolute(e.z));
         problem.normal = e == Vec{}
                              ? Vec{0, 1, 0}

@@ -28,9 +28,7 @@ void propose(const SweepQuery& query, Planes& planes) noexcept {
 // The motion's direction in the shape's frame, between 1 and 4 long. A motion near the end of the doubles' range would
 // lose its direction when it is turned.
 Vec heading_of(const SweepQuery& query, const Motion& motion) noexcept {
-    Vec along = to_vec(motion.to) - to_vec(motion.from);
-    if (largest(along) < 0x1p-900) along = along * 0x1p1000;
-    return query.frame.to_local(scaled_to_one(along));
+    return query.frame.to_local(scaled_to_one(enlarged(to_vec(motion.to) - to_vec(motion.from))));
 }
 
 void propose_standing(const SweepQuery& query, const Motion& motion, Planes& planes) noexcept {
