@@ -181,5 +181,16 @@ TEST(SweepStart, a_rim_that_grazes_an_edge_just_beside_its_corner_names_the_edge
     named_edge();
 }
 
+TEST(SweepStart, about_a_point_that_is_next_to_nothing_away_has_a_normal_of_unit_length) {
+    // Found by fuzzing: no direction between the two was left in doubles, and the normal was zero.
+    const Triangle point{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    for (const double away : {3.713684e-318, 5e-324, 1e-305}) {
+        const auto hit = sweep(Sphere{3.25}, {{away, 0, 0}, {0, 0, 0}}, point);
+        ASSERT_TRUE(hit.has_value()) << away;
+        EXPECT_EQ(hit->t, 0);
+        EXPECT_NEAR(glm::length(hit->normal), 1, 1e-12) << away;
+    }
+}
+
 }  // namespace
 }  // namespace surefoot
