@@ -119,6 +119,8 @@ std::optional<Hit> cross_face(const Vec (&corners)[3], const Vec& from, const Ve
     Vec normal = unit(accurate_cross(scaled_to_one(enlarged(corners[1] - corners[0])),
                                      scaled_to_one(enlarged(corners[2] - corners[0]))));
     if (start < 0 || (start == 0 && end > 0)) normal = -normal;
+    // Edges whose difference doubles have lost leave no face, though the exact sides know one.
+    if (normal == Vec{}) normal = -unit(enlarged(along));
     // The nearest corner gives the height its best digits.
     double height = 0;
     double nearest = -1;

@@ -123,6 +123,22 @@ TEST(Ray, through_a_triangle_of_a_few_ulps_of_zero_has_its_normal) {
     EXPECT_EQ(hit->t, 0.5);
 }
 
+TEST(Ray, through_a_face_that_doubles_have_lost_has_a_normal_of_unit_length) {
+    // Found by fuzzing: seen from the first corner, the others are one.
+    const double s = 2.5865632706146919e-231;
+    const Triangle lost{
+        {s, s, s}, {5.441718073798824e-317, 0, 2.2773090716423929e-311}, {2.5296161067071823e-321, 0, 0}};
+    for (const dvec3& to : {dvec3(0, 0, 0), lost.b, lost.c, dvec3(-s, -s, -s)}) {
+        const auto hit = ray({{2.5865632706147331e-231, s, s}, to}, lost);
+        if (hit) {
+            EXPECT_NEAR(glm::length(hit->normal), 1, 1e-12);
+        }
+    }
+    const auto through = ray({{0, 0, s}, {0, 0, -s}}, {{s, s, 0}, {-s, s, 0}, {0, -s, 1e-320}});
+    ASSERT_TRUE(through.has_value());
+    EXPECT_NEAR(glm::length(through->normal), 1, 1e-12);
+}
+
 TEST(Ray, with_numbers_out_of_range_blocks_and_says_so) {
     const auto hit = ray({{0, std::numeric_limits<double>::quiet_NaN(), 0}, {0, 0, 0}}, floor_triangle);
     ASSERT_TRUE(hit.has_value());
