@@ -17,13 +17,6 @@ void add(CharacterContacts& to, const CharacterContact& contact) noexcept {
     if (to.count < to.all.size()) to.all[to.count++] = contact;
 }
 
-Vec velocity_at(const Tick& tick, std::uint32_t body, const Vec& point) noexcept {
-    Ground there;
-    there.body = body;
-    there.point = point;
-    return velocity_of(tick, there);
-}
-
 }  // namespace
 
 void press(Tick& tick, std::span<const Obstacle> met, const Vec& velocity) noexcept {

@@ -18,12 +18,12 @@ Vec left_behind(const Tick& tick) noexcept {
     return tick.settings.keeps_ground_velocity ? to_vec(tick.state.ground_velocity) : Vec{};
 }
 
-Vec velocity_of(const Tick& tick, const Ground& ground) noexcept {
+Vec velocity_at(const Tick& tick, std::uint32_t body, const Vec& point) noexcept {
     const World& world = tick.world();
-    const BodyHandle handle = world.find(ground.body);
+    const BodyHandle handle = world.find(body);
     if (!moves(world, handle)) return {};
     // Where the point of touch was at the start of the tick is what the world is asked about.
-    const Vec before = ground.point - (to_vec(world.carried(handle, to_dvec3(ground.point))) - ground.point);
+    const Vec before = point - (to_vec(world.carried(handle, to_dvec3(point))) - point);
     return to_vec(world.velocity_at(handle, to_dvec3(before), tick.whole));
 }
 
@@ -42,7 +42,8 @@ void stand(Tick& tick) noexcept {
 }
 
 void land(Tick& tick, double upward_speed) noexcept {
-    if (dot(tick.velocity, tick.up) > still + larger(0, dot(velocity_of(tick, tick.ground), tick.up))) {
+    if (dot(tick.velocity, tick.up) >
+        still + larger(0, dot(velocity_at(tick, tick.ground.body, tick.ground.point), tick.up))) {
         tick.ground = {};
         return;
     }
@@ -53,7 +54,7 @@ void land(Tick& tick, double upward_speed) noexcept {
     if (tick.ground.footing != Footing::ground) return;
     tick.standing = true;
     tick.state.is_jumping = 0;
-    tick.velocity = tick.level(tick.velocity - velocity_of(tick, tick.ground));
+    tick.velocity = tick.level(tick.velocity - velocity_at(tick, tick.ground.body, tick.ground.point));
     if (tick.state.footing == Footing::ground) return;
     tick.events.landing_speed = larger(0, -upward_speed);
     tick.say(CharacterEvent::landed);

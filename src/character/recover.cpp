@@ -39,7 +39,7 @@ public:
           body_(body),
           gait_(gait),
           half_(grown(body.volume, 0.5 * gait.skin)),
-          full_(grown(body.volume, gait.skin)) {}
+          full_{body.kept_off, body.shift} {}
 
     Recovery run(const Vec& from, double farthest) noexcept {
         Recovery result{from, false, false};

@@ -30,7 +30,7 @@ StepResult finish(Tick& tick) noexcept {
     }
     const bool carried = after.footing != Footing::air;
     after.ground_normal = carried ? to_dvec3(tick.ground.normal) : dvec3{0, 0, 0};
-    after.ground_velocity = carried ? to_dvec3(velocity_of(tick, tick.ground)) : dvec3{0, 0, 0};
+    after.ground_velocity = carried ? to_dvec3(velocity_at(tick, tick.ground.body, tick.ground.point)) : dvec3{0, 0, 0};
     after.ground_body = carried ? tick.ground.body : 0;
     after.ground_triangle = carried ? tick.ground.triangle : 0;
     after.ground_surface = carried ? tick.ground.surface : 0;

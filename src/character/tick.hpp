@@ -84,8 +84,8 @@ void land(Tick& tick, double upward_speed) noexcept;
 
 /// What it takes along from ground that moved.
 [[nodiscard]] Vec left_behind(const Tick& tick) noexcept;
-/// How fast the ground moves where it is touched.
-[[nodiscard]] Vec velocity_of(const Tick& tick, const Ground& ground) noexcept;
+/// How fast a body moves where it is touched.
+[[nodiscard]] Vec velocity_at(const Tick& tick, std::uint32_t body, const Vec& point) noexcept;
 
 /// All of them. Requires: valid arguments.
 [[nodiscard]] StepResult tick_once(const TickArguments& arguments) noexcept;

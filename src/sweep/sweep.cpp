@@ -118,9 +118,10 @@ void record_decision(Trace* trace, std::uint32_t id, const std::optional<Hit>& h
 std::optional<Hit> hit_from_start(const SweepQuery& query, const Volume& volume, const Motion& motion,
                                   const Triangle& triangle, const Planes& planes, StartSign sign) noexcept {
     if (has_fault(Fault::start_in_touch_ignored)) return std::nullopt;
-    Plane nearest = planes.shallowest(heading_of(query, motion));
+    const Vec heading = heading_of(query, motion);
+    Plane nearest = planes.shallowest(heading);
     // All of it within 1e-300 m of a point: no direction was left for a plane but the motion's own.
-    if (nearest.normal == Vec{}) nearest.normal = -unit(heading_of(query, motion));
+    if (nearest.normal == Vec{}) nearest.normal = -unit(heading);
     const bool in_doubles = sign == StartSign::rounded || has_fault(Fault::approach_in_doubles);
     const Approach approach = !in_doubles            ? approach_at_start(volume, motion, triangle)
                               : nearest.approach < 0 ? Approach::deeper
