@@ -15,20 +15,19 @@ constexpr auto bounce = [](const MetOnTheWay& met) {
 constexpr auto drift = [](const OwnTick& tick) { return OwnMotion{tick.velocity * tick.dt, tick.velocity}; };
 constexpr auto stick = [](const MetOnTheWay&) { return OwnMotion{}; };
 
-struct OwnActor {
-    CharacterSettings settings{};
-    CharacterState state{};
-    std::uint32_t events = 0;
+Actor in_room(const CharacterHooks& hooks) {
+    Actor actor;
+    actor.state.position = {0, 2, 0};
+    actor.hooks = hooks;
+    return actor;
+}
 
-    void run(const World& world, int ticks, const CharacterInput& input, const CharacterHooks& hooks) {
-        for (int i = 0; i < ticks; ++i) {
-            const StepResult result = step(world, settings, input, 1.0 / 60, state, {}, nullptr, hooks);
-            state = result.state;
-            events |= result.events.set;
-        }
-    }
-    [[nodiscard]] bool did(CharacterEvent event) const { return (events & static_cast<std::uint32_t>(event)) != 0; }
-};
+Actor ball_in_room(const dvec3& velocity, const CharacterHooks& hooks) {
+    Actor ball = in_room(hooks);
+    ball.settings.volume = Sphere{0.3};
+    ball.state.velocity = velocity;
+    return ball;
+}
 
 World room() {
     Scene scene;
@@ -39,15 +38,12 @@ World room() {
 
 TEST(MovementOwn, ABallInARoomBouncesForTenSecondsAndKeepsItsSpeed) {
     const World world = room();
-    OwnActor ball;
-    ball.settings.volume = Sphere{0.3};
-    ball.state.position = {0, 2, 0};
-    ball.state.velocity = {5, 3, 2};
+    Actor ball = ball_in_room({5, 3, 2}, {.respond = bounce, .move = drift});
     const CharacterInput input{.mode = CharacterMode::own};
     int turns = 0;
     dvec3 before = ball.state.velocity;
     for (int i = 0; i < 600; ++i) {
-        ball.run(world, 1, input, {.respond = bounce, .move = drift});
+        ball.tick(world, input);
         const dvec3& v = ball.state.velocity;
         if (!(v == before)) ++turns;
         before = v;
@@ -58,21 +54,15 @@ TEST(MovementOwn, ABallInARoomBouncesForTenSecondsAndKeepsItsSpeed) {
     }
     EXPECT_GT(turns, 15) << "without a rule of its own it would have slid into a corner";
 
-    OwnActor slides;
-    slides.settings = ball.settings;
-    slides.state.position = {0, 2, 0};
-    slides.state.velocity = {5, 3, 2};
-    slides.run(world, 600, input, {.move = drift});
+    Actor slides = ball_in_room({5, 3, 2}, {.move = drift});
+    slides.run(world, 10, input);
     EXPECT_EQ(slides.state.velocity, dvec3(0, 0, 0)) << "this is what the rule changes";
 }
 
 TEST(MovementOwn, WhatSticksStaysWhereItTouched) {
     const World world = room();
-    OwnActor dart;
-    dart.settings.volume = Sphere{0.3};
-    dart.state.position = {0, 2, 0};
-    dart.state.velocity = {5, 1, 2};
-    dart.run(world, 120, {.mode = CharacterMode::own}, {.respond = stick, .move = drift});
+    Actor dart = ball_in_room({5, 1, 2}, {.respond = stick, .move = drift});
+    dart.run(world, 2, {.mode = CharacterMode::own});
     EXPECT_EQ(dart.state.velocity, dvec3(0, 0, 0));
     EXPECT_NEAR(dart.state.position.x, 3.7 - dart.settings.skin, 1e-6);
     EXPECT_NEAR(dart.state.position.z, 2.0 * dart.state.position.x / 5, 1e-6) << "on its line";
@@ -81,16 +71,17 @@ TEST(MovementOwn, WhatSticksStaysWhereItTouched) {
 TEST(MovementOwn, OnFootAWallOfGlueHoldsWhoeverWouldSlideAlongIt) {
     const World world = Scene().floor(-5, 5, -5, 5).block({2, -1, -5}, {3, 3, 5}).world();
     const CharacterInput along{.wish = {3, 0, 3}};
-    OwnActor free;
-    OwnActor held;
+    Actor free;
+    Actor held;
     free.state.position = held.state.position = {0, 1, 0};
-    free.run(world, 90, along, {});
+    free.run(world, 1.5, along);
     bool on_foot = false;
     const auto glue = [&](const MetOnTheWay& met) {
         on_foot = on_foot || met.on_foot;
         return OwnMotion{};
     };
-    held.run(world, 90, along, {.respond = glue});
+    held.hooks.respond = glue;
+    held.run(world, 1.5, along);
     EXPECT_TRUE(on_foot);
     EXPECT_GT(free.state.position.z, 3);
     EXPECT_LT(held.state.position.z, 2);
@@ -99,23 +90,21 @@ TEST(MovementOwn, OnFootAWallOfGlueHoldsWhoeverWouldSlideAlongIt) {
 
 TEST(MovementOwn, AModeOfOnesOwnWithoutItsRuleIsInvalidAndChangesNothing) {
     const World world = room();
-    OwnActor actor;
-    actor.state.position = {0, 2, 0};
+    Actor actor = in_room({});
     const CharacterState before = actor.state;
-    actor.run(world, 1, {.mode = CharacterMode::own}, {});
+    actor.tick(world, {.mode = CharacterMode::own});
     EXPECT_TRUE(actor.did(CharacterEvent::invalid));
     EXPECT_EQ(actor.state, before);
 }
 
 TEST(MovementOwn, AnAnswerThatIsNoNumberStandsStill) {
     const World world = room();
-    OwnActor actor;
-    actor.state.position = {0, 2, 0};
     const auto nonsense = [](const OwnTick&) {
         const double none = std::numeric_limits<double>::quiet_NaN();
         return OwnMotion{{none, 0, 0}, {0, none, 0}};
     };
-    actor.run(world, 10, {.mode = CharacterMode::own}, {.move = nonsense});
+    Actor actor = in_room({.move = nonsense});
+    for (int i = 0; i < 10; ++i) actor.tick(world, {.mode = CharacterMode::own});
     EXPECT_EQ(actor.state.position, dvec3(0, 2, 0));
     EXPECT_EQ(actor.state.velocity, dvec3(0, 0, 0));
 }

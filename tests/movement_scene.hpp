@@ -96,11 +96,12 @@ private:
 struct Actor {
     CharacterSettings settings{};
     CharacterState state{};
+    CharacterHooks hooks{};
     double dt = 1.0 / 60;
     std::uint32_t events = 0;  ///< of all ticks so far
 
     CharacterEvents tick(const World& world, const CharacterInput& input = {}) {
-        const StepResult result = step(world, settings, input, dt, state);
+        const StepResult result = step(world, settings, input, dt, state, {}, nullptr, hooks);
         state = result.state;
         events |= result.events.set;
         return result.events;
