@@ -16,6 +16,50 @@ TEST(Movement, ACharacterThatFallsOnAFloorStandsOnItAndStays) {
     EXPECT_EQ(actor.state.position, before);
 }
 
+TEST(Movement, ACharacterAtRestHasTheSameHashForEver) {
+    const World world = Scene().floor(-5, 5, -5, 5).world();
+    Actor actor;
+    actor.settings.dash_speed = 8;
+    actor.settings.dash_pause = 12;  // longer than anything is remembered for by itself
+    actor.state.position = {0.3, 3, 0.2};
+    actor.run(world, 1, {.wish = {2, 0, 0}, .jump = true, .dash = true});
+    actor.run(world, 11);
+    const std::uint64_t still_counting = hash(actor.state);
+    actor.run(world, 2);
+    const CharacterState at_rest = actor.state;
+    EXPECT_NE(hash(at_rest), still_counting) << "a dash is remembered for as long as its pause is";
+    EXPECT_EQ(at_rest.since_dash, long_ago);
+    for (int tick = 0; tick < 3000; ++tick) {
+        actor.tick(world);
+        ASSERT_EQ(hash(actor.state), hash(at_rest)) << tick;
+    }
+    EXPECT_EQ(actor.state, at_rest);
+    actor.tick(world, {.jump = true});
+    EXPECT_TRUE(actor.state.is_jumping);
+}
+
+TEST(Movement, AWindowIsClosedAfterItsTimeHoweverLongItIs) {
+    const World world = Scene().world();
+    for (const double pause : {0.3, 15.0, 1e9}) {
+        Actor actor;
+        actor.settings.dash_speed = 1;
+        actor.settings.dash_time = 0.1;
+        actor.settings.dash_pause = pause;
+        actor.settings.gravity = 0;
+        actor.dt = 0.1;
+        const CharacterInput dash{.wish = {1, 0, 0}, .dash = true};
+        actor.tick(world, dash);
+        int ticks = 1;
+        for (actor.events = 0; !actor.did(CharacterEvent::dashed) && ticks < 200; ++ticks) {
+            actor.tick(world);
+            actor.tick(world, dash);
+            ++ticks;
+        }
+        EXPECT_EQ(actor.did(CharacterEvent::dashed), pause < 1e9);
+        EXPECT_NEAR(ticks * actor.dt, std::min(pause, 20.0) + 0.2, 0.35);
+    }
+}
+
 TEST(Movement, WalkingOverAFloorOfAThousandSeamsKeepsItsHeightAndItsSpeed) {
     for (const Shape& shape : {Shape{Ellipsoid{}}, Shape{Sphere{}}, Shape{Capsule{}}, Shape{Box{}}, Shape{Cylinder{}},
                                Shape{Cone{.radius = 0.4, .height = 1.8}}}) {

@@ -63,20 +63,27 @@ enum class Hold : std::uint8_t {
     climbing,  ///< up over the edge
 };
 
+/// A time that is longer than anything a step asks for [s].
+inline constexpr double long_ago = 1e9;
+
+/// For how long a state counts the time since something happened, if no setting asks for longer [s]. What is longer ago
+/// is `long_ago`, so that a character at rest comes to have the same bits for ever.
+inline constexpr double remembered_for = 10;
+
 /// All that a character is between two ticks: plain, without padding, comparable.
 struct CharacterState {
-    dvec3 position{0, 0, 0};         ///< of the reference point [m]
-    dvec3 velocity{0, 0, 0};         ///< its own: relative to what carries it, in the air to the world [m/s]
-    dvec3 ground_normal{0, 0, 0};    ///< of what carries it, in the world; zero in the air
-    dvec3 ground_velocity{0, 0, 0};  ///< how fast that moves where it is stood on [m/s]
-    double since_ground = 1e9;       ///< time since it was last on ground [s]
-    double since_jump_press = 1e9;   ///< time since `jump` was pressed and not yet answered [s]
-    double since_wall = 1e9;         ///< time since it touched a wall [s]
-    double since_dash = 1e9;         ///< time since its last dash began [s]
-    dvec3 wall_normal{0, 0, 0};      ///< of that wall, or of the one under the edge that it holds
-    dvec3 ledge_point{0, 0, 0};      ///< of the edge that it holds [m]
-    double since_hold = 1e9;         ///< time since it let go of an edge [s]
-    std::uint32_t ground_body = 0;   ///< what carries it
+    dvec3 position{0, 0, 0};             ///< of the reference point [m]
+    dvec3 velocity{0, 0, 0};             ///< its own: relative to what carries it, in the air to the world [m/s]
+    dvec3 ground_normal{0, 0, 0};        ///< of what carries it, in the world; zero in the air
+    dvec3 ground_velocity{0, 0, 0};      ///< how fast that moves where it is stood on [m/s]
+    double since_ground = long_ago;      ///< time since it was last on ground [s]
+    double since_jump_press = long_ago;  ///< time since `jump` was pressed and not yet answered [s]
+    double since_wall = long_ago;        ///< time since it touched a wall [s]
+    double since_dash = long_ago;        ///< time since its last dash began [s]
+    dvec3 wall_normal{0, 0, 0};          ///< of that wall, or of the one under the edge that it holds
+    dvec3 ledge_point{0, 0, 0};          ///< of the edge that it holds [m]
+    double since_hold = long_ago;        ///< time since it let go of an edge [s]
+    std::uint32_t ground_body = 0;       ///< what carries it
     std::uint32_t ground_triangle = 0;
     std::uint32_t ground_surface = 0;
     std::uint32_t air_jumps_left = 0;

@@ -98,7 +98,7 @@ bool keep_hanging(Tick& tick) noexcept {
     const bool pressed = tick.state.since_jump_press <= tick.settings.jump_buffer;
     if (pressed || pull > 0.9 * length(tick.wish)) {
         if (ledge->has_room && (pressed || pull > 0)) {
-            tick.state.since_jump_press = 1e9;
+            tick.state.since_jump_press = long_ago;
             tick.state.ledge_point = to_dvec3(ledge->edge);
             tick.state.hold = Hold::climbing;
             return go_up(tick);
@@ -127,7 +127,7 @@ bool hold_ledge(Tick& tick) noexcept {
         const auto ledge = find_ledge(tick, ahead, settings.step_up, settings.vault_height);
         if (!ledge || !ledge->has_room) return false;
         hang(tick, *ledge);
-        state.since_jump_press = 1e9;
+        state.since_jump_press = long_ago;
         state.hold = Hold::climbing;
         tick.say(CharacterEvent::vaulted);
         return go_up(tick);

@@ -7,8 +7,6 @@ namespace surefoot::internal {
 
 namespace {
 
-constexpr double long_ago = 1e9;  // [s]
-
 void take_off(Tick& tick, double speed) noexcept {
     tick.state.since_jump_press = long_ago;
     tick.state.since_ground = long_ago;

@@ -107,15 +107,34 @@ void Tick::tell_obstacle(const Obstacle& obstacle) noexcept {
     }
 }
 
+namespace {
+
+// What is longer ago than anybody asks for is not counted any more: else no state would ever be the same again.
+void forget(Tick& tick) noexcept {
+    const CharacterSettings& settings = tick.settings;
+    double horizon = larger(remembered_for, 2 * tick.dt);
+    for (const double window : {settings.coyote_time, settings.jump_buffer, settings.wall_coyote_time,
+                                settings.dash_time + settings.dash_pause}) {
+        horizon = larger(horizon, window);
+    }
+    CharacterState& state = tick.state;
+    for (double* const since :
+         {&state.since_ground, &state.since_jump_press, &state.since_wall, &state.since_dash, &state.since_hold}) {
+        if (*since > horizon) *since = larger(long_ago, 2 * horizon);
+    }
+}
+
+}  // namespace
+
 void remember_buttons(Tick& tick) noexcept {
     CharacterState& state = tick.state;
     state.since_jump_press += tick.dt;
     if (tick.input.jump && state.jump_held == 0) state.since_jump_press = 0;
     state.jump_held = tick.input.jump ? 1 : 0;
-    state.since_ground += tick.dt;
-    state.since_wall += tick.dt;
-    state.since_dash += tick.dt;
-    state.since_hold += tick.dt;
+    for (double* const since : {&state.since_ground, &state.since_wall, &state.since_dash, &state.since_hold}) {
+        *since += tick.dt;
+    }
+    forget(tick);
 }
 
 void ride(Tick& tick) noexcept {
