@@ -1,5 +1,6 @@
 // Characters among characters.
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "crowd_scene.hpp"
@@ -53,6 +54,41 @@ TEST(Crowd, SplitsAndThreadsChangeNoBit) {
         by_seven.tick(world, 7);
         ASSERT_EQ(alone.states, by_two.states) << tick;
         ASSERT_EQ(alone.states, by_seven.states) << tick;
+    }
+}
+
+TEST(Crowd, StepAllTellsWhatEachPressedAgainstHoweverItIsSplit) {
+    Scene scene;
+    scene.floor(-20, 20, -20, 20, 0, 8).block({1, 0, -20}, {2, 3, 20});
+    const World world = scene.world();
+    Many many = jostling(40, 5, 3);
+    for (int tick = 0; tick < 30; ++tick) many.tick(world);
+    std::vector<StepResult> expected;
+    std::size_t pressed = 0;
+    std::vector<CharacterState> after(many.states.size());
+    std::vector<CharacterContacts> contacts(many.states.size());
+    Characters characters = many.all(after);
+    characters.contacts = contacts;
+    ASSERT_TRUE(many.crowd.gather(characters, many.dt));
+    for (std::size_t i = 0; i < many.states.size(); ++i) {
+        std::array<Neighbour, most_met_in_crowd> near;
+        const std::size_t count = std::min(many.crowd.neighbours(i, near), near.size());
+        expected.push_back(
+            step(world, many.settings[i], many.inputs[i], many.dt, many.states[i], std::span(near).first(count)));
+        pressed += expected[i].contacts.count;
+    }
+    EXPECT_GT(pressed, many.states.size() / 2) << "most of them stand on the floor";
+    for (const std::size_t parts : {std::size_t{1}, std::size_t{3}}) {
+        std::fill(contacts.begin(), contacts.end(), CharacterContacts{.count = 4});
+        for (std::size_t k = parts; k-- > 0;) step_all(world, many.crowd, characters, many.dt, many.part(k, parts));
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            ASSERT_EQ(contacts[i].count, expected[i].contacts.count) << i;
+            for (std::size_t k = 0; k < contacts[i].count; ++k) {
+                EXPECT_EQ(contacts[i].all[k].impulse, expected[i].contacts.all[k].impulse);
+                EXPECT_EQ(contacts[i].all[k].point, expected[i].contacts.all[k].point);
+                EXPECT_EQ(contacts[i].all[k].triangle, expected[i].contacts.all[k].triangle);
+            }
+        }
     }
 }
 

@@ -187,6 +187,7 @@ struct Characters {
     std::span<const CharacterState> before;       ///< when the tick begins
     std::span<CharacterState> after;              ///< when it ends: the answers; may be the memory of `before`
     std::span<CharacterEvents> events{};          ///< one each, or none
+    std::span<CharacterContacts> contacts{};      ///< what each pressed against: one each, or none
     std::span<const std::uint32_t> ids{};         ///< for `crowd`: one each, or none, and then they are counted
 };
 

@@ -18,9 +18,9 @@ template <typename T>
     const std::size_t count = characters.before.size();
     const auto fits = [&](std::size_t size) noexcept { return size == 1 || size >= count; };
     const auto has_room = [&](std::size_t size) noexcept { return size == 0 || size >= count; };
-    return count == 0 ||
-           (fits(characters.settings.size()) && fits(characters.inputs.size()) && characters.after.size() >= count &&
-            has_room(characters.events.size()) && has_room(characters.ids.size()));
+    return count == 0 || (fits(characters.settings.size()) && fits(characters.inputs.size()) &&
+                          characters.after.size() >= count && has_room(characters.events.size()) &&
+                          has_room(characters.contacts.size()) && has_room(characters.ids.size()));
 }
 
 template <typename Visit>
@@ -33,6 +33,7 @@ void each_in(const Characters& characters, const StepRange& range, const Visit& 
 inline void answer(const Characters& characters, std::size_t index, const StepResult& result) noexcept {
     characters.after[index] = result.state;
     if (!characters.events.empty()) characters.events[index] = result.events;
+    if (!characters.contacts.empty()) characters.contacts[index] = result.contacts;
 }
 
 }  // namespace surefoot::internal
