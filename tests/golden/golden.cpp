@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "characters.hpp"
+#include "crowds.hpp"
 #include "hash.hpp"
 #include "queries.hpp"
 
@@ -270,6 +271,21 @@ void character(Results& results) {
     }
 }
 
+void crowds(Results& results) {
+    Hash hard;
+    press_together(hard, surefoot::Firmness::hard);
+    record(results, "crowd.hard", hard);
+    Hash soft;
+    press_together(soft, surefoot::Firmness::soft);
+    record(results, "crowd.soft", soft);
+}
+
+void hitboxes(Results& results) {
+    Hash hash;
+    shoot_at_parts(hash);
+    record(results, "hitboxes", hash);
+}
+
 Results ask_everything() {
     Results results;
     sweep_each_shape(results);
@@ -283,6 +299,8 @@ Results ask_everything() {
     height_field(results);
     voxels(results);
     character(results);
+    crowds(results);
+    hitboxes(results);
     return results;
 }
 
