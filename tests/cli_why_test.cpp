@@ -47,6 +47,15 @@ protected:
     Session session_;
 };
 
+TEST_F(CliWhy, cpp_prints_a_saved_step_as_a_test_that_is_called_as_the_file) {
+    const Outcome replay = run("replay " + step_file() + " --cpp");
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    EXPECT_TEXT(replay.out, "TEST(Moments, step) {");
+    EXPECT_TEXT(replay.out, "// at the wall");
+    EXPECT_TEXT(replay.out, "moment.input.wish = surefoot::dvec3{4.0, 0.0, 0.0};");
+    EXPECT_TEXT(replay.out, "EXPECT_EQ(again.result.state.position.x, ");
+}
+
 TEST_F(CliWhy, a_saved_step_is_told_in_words_and_is_the_same) {
     const Outcome replay = run("replay " + step_file());
     EXPECT_EQ(replay.code, 0) << replay.err;
@@ -136,7 +145,7 @@ TEST_F(CliWhy, what_is_cut_is_named_with_the_byte) {
     const Outcome cut = run("replay " + write("cut.json", session.substr(0, session.size() / 2)));
     EXPECT_EQ(cut.code, 3);
     EXPECT_TEXT(cut.err, "cut.json: no session: byte ");
-    EXPECT_EQ(run("replay --cpp " + step_file()).code, 2);
+    EXPECT_EQ(run("replay --cpp " + session_file()).code, 2);
 }
 
 }  // namespace

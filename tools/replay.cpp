@@ -82,6 +82,10 @@ ExitCode replay_question(const std::string& file, const ReplayOptions& given) {
 ExitCode replay_step(const std::string& file, const ReplayOptions& given) {
     const Expected<StepCapture> capture = read_step_capture(file);
     if (!capture) return unreadable(capture.error());
+    if (given.cpp) {
+        write_out(capture_cpp_test(*capture, stem_of(file)));
+        return ExitCode::ok;
+    }
     const StepReplay again = replay(*capture);
     write_out(given.json ? step_json(file, *capture, again) : step_report(file, *capture, again));
     return again.is_same() ? ExitCode::ok : ExitCode::failed;
@@ -105,8 +109,9 @@ SavedKind kind_of(const std::string& file) {
 ExitCode replay_file(const std::string& file, const ReplayOptions& given) {
     const SavedKind kind = kind_of(file);
     if (kind == SavedKind::question) return replay_question(file, given);
-    if (given.cpp) throw Failure{ExitCode::usage, fmt::format("{}: --cpp is for sweeps and rays", file)};
-    return kind == SavedKind::step ? replay_step(file, given) : replay_session(file, given);
+    if (kind == SavedKind::step) return replay_step(file, given);
+    if (given.cpp) throw Failure{ExitCode::usage, fmt::format("{}: --cpp is for sweeps, rays and steps", file)};
+    return replay_session(file, given);
 }
 
 ExitCode run_replay(const ReplayOptions& given) {

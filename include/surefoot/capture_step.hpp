@@ -75,5 +75,9 @@ struct StepReplay {
 /// Reads the file. Fails with `not_found`, and as above.
 [[nodiscard]] Expected<StepCapture> read_step_capture(const std::string& path);
 
+/// A GoogleTest case in C++ that makes the step again and expects the captured state and events: a whole file that
+/// compiles against this library. The story is not in it. `name` is as for a question's.
+[[nodiscard]] std::string capture_cpp_test(const StepCapture& capture, std::string_view name = "moment");
+
 }  // namespace v0
 }  // namespace surefoot

@@ -1,9 +1,7 @@
 // "Copy as C++ test": the same moment, written in the library's own words.
-#include <bit>
-#include <cmath>
-
 #include <surefoot/capture.hpp>
 
+#include "capture/cpp_words.hpp"
 #include "capture/number.hpp"
 #include "capture/words.hpp"
 #include "ieee_guard.hpp"
@@ -14,84 +12,6 @@ inline namespace v0 {
 using namespace internal;
 
 namespace {
-
-constexpr std::array<std::string_view, 6> shape_types{"Sphere", "Ellipsoid", "Capsule", "Box", "Cylinder", "Cone"};
-
-// A literal with the very bits; of a whole number too it is a double.
-std::string literal(double value) {
-    std::string out;
-    if (std::isnan(value)) {
-        out = "std::bit_cast<double>(std::uint64_t{0x";
-        append_bits(out, std::bit_cast<std::uint64_t>(value));
-        return out + "})";
-    }
-    if (std::isinf(value)) {
-        return value > 0 ? "std::numeric_limits<double>::infinity()" : "-std::numeric_limits<double>::infinity()";
-    }
-    append_shortest(out, value);
-    if (out.find_first_of(".e") == out.npos) out += ".0";
-    return out;
-}
-
-std::string literal(std::uint32_t value) {
-    return std::to_string(value) + "u";
-}
-
-std::string literal(bool value) {
-    return value ? "true" : "false";
-}
-
-std::string braced(const dvec3& v) {
-    return joined({"{", literal(v.x), ", ", literal(v.y), ", ", literal(v.z), "}"});
-}
-
-std::string turned(const dquat& q) {
-    return joined({"surefoot::dquat(", literal(q.w), ", ", literal(q.x), ", ", literal(q.y), ", ", literal(q.z), ")"});
-}
-
-std::string made(const Shape& shape) {
-    const std::size_t index = shape.index();
-    const std::array<double, 3> d = dimensions_of(shape);
-    const std::string_view type = shape_types[index];
-    if (shape_counts[index] == 3) return joined({"surefoot::", type, "{", braced({d[0], d[1], d[2]}), "}"});
-    if (shape_counts[index] == 2) return joined({"surefoot::", type, "{", literal(d[0]), ", ", literal(d[1]), "}"});
-    return joined({"surefoot::", type, "{", literal(d[0]), "}"});
-}
-
-std::string made(const Pose& pose) {
-    return joined({"{", braced(pose.position), ", ", turned(pose.orientation), "}"});
-}
-
-std::string word_of(Feature feature) {
-    return joined({"surefoot::Feature::", feature_words[static_cast<std::size_t>(feature)]});
-}
-
-std::string word_of(HitStatus status) {
-    return joined({"surefoot::HitStatus::", status_words[static_cast<std::size_t>(status)]});
-}
-
-std::string in_a_name(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        out += fits ? c : '_';
-    }
-    return out.empty() || (out.front() >= '0' && out.front() <= '9') ? joined({"moment_", out}) : out;
-}
-
-// Comment lines; a backslash at the end of one would swallow the next.
-std::string in_comments(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        const std::size_t length = text.find('\n');
-        const std::string_view line = text.substr(0, length);
-        out += "// ";
-        for (const char c : line) out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c == '\\' ? '/' : c;
-        out += '\n';
-        text.remove_prefix(length == text.npos ? text.size() : length + 1);
-    }
-    return out;
-}
 
 std::string question_lines(const Capture& capture) {
     const CapturedQuestion& q = capture.question;
@@ -110,27 +30,6 @@ std::string question_lines(const Capture& capture) {
         set("end", literal(q.end));
         set("turn_gap", literal(q.turn_gap));
     }
-    return out;
-}
-
-std::string geometry_lines(const Capture& capture) {
-    std::string out;
-    for (const CapturedBody& body : capture.bodies) {
-        out += joined({"    moment.bodies.push_back({.body = ", literal(body.body),
-                       ",\n                             .start = ", made(body.start),
-                       ",\n                             .end = ", made(body.end),
-                       ",\n                             .bounds = {", braced(body.bounds.min), ", ",
-                       braced(body.bounds.max), "}});\n"});
-    }
-    if (capture.triangles.empty()) return out;
-    // A table: a statement for each of thousands would keep a compiler busy for minutes.
-    out += "    static const surefoot::CapturedTriangle triangles[] = {\n";
-    for (const CapturedTriangle& one : capture.triangles) {
-        const Triangle& t = one.triangle;
-        out += joined({"        {{", braced(t.a), ", ", braced(t.b), ", ", braced(t.c), "}, ", literal(one.id), ", ",
-                       literal(one.surface), ", ", literal(one.body), "},\n"});
-    }
-    out += "    };\n    moment.triangles.assign(std::begin(triangles), std::end(triangles));\n";
     return out;
 }
 
@@ -173,15 +72,9 @@ std::string expectations(const std::optional<Hit>& hit) {
 
 std::string capture_cpp_test(const Capture& capture, std::string_view name) {
     const IeeeGuard guard;
-    const Version& by = capture.origin.library;
-    std::string out = joined({"// A moment saved by Surefoot ", std::to_string(by.major), ".", std::to_string(by.minor),
-                              ".", std::to_string(by.patch),
-                              ". It expects the answer that was saved: if that is wrong, write the right one.\n"});
-    out += in_comments(capture.note);
-    out += "#include <bit>\n#include <cstdint>\n#include <gtest/gtest.h>\n#include <iterator>\n#include <limits>\n\n";
-    out += "#include <surefoot/capture.hpp>\n\n";
+    std::string out = test_head(capture.origin, capture.note, "capture");
     out += joined({"TEST(Moments, ", in_a_name(name), ") {\n    surefoot::Capture moment;\n"});
-    out += question_lines(capture) + geometry_lines(capture);
+    out += question_lines(capture) + geometry_lines(capture.bodies, capture.triangles);
     if (capture.answer) out += answer_lines(*capture.answer);
     return out + expectations(capture.answer) + "}\n";
 }
