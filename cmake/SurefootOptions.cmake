@@ -3,6 +3,7 @@ include(GNUInstallDirs)
 
 set(top ${PROJECT_IS_TOP_LEVEL})
 option(SUREFOOT_BUILD_IMPORT "Build surefoot::import (needs Assimp and minizip)" ${top})
+option(SUREFOOT_BUILD_NAVIGATION "Build surefoot::navigation (needs Recast and Detour)" ${top})
 option(SUREFOOT_BUILD_TOOLS "Build the surefoot program and the judge (needs surefoot::import, CLI11, nlohmann-json, fmt, GMP)" ${top})
 option(SUREFOOT_BUILD_APPS "Build the playground, a program with a window (needs the surefoot program's parts, GLFW, epoxy, EGL, Dear ImGui)" ${top})
 option(SUREFOOT_BUILD_TESTS "Build the unit tests (needs GoogleTest)" ${top})

@@ -19,7 +19,7 @@ import tempfile
 
 from sources import ROOT, project_files
 
-INCLUDE_FOLDERS = ("include", "import/include")
+INCLUDE_FOLDERS = ("include", "import/include", "navigation/include")
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Wold-style-cast", "-Wnon-virtual-dtor",
             "-Werror"]
 HEAVY = {"iostream", "filesystem", "functional", "windows.h", "regex", "thread", "sstream", "fstream"}

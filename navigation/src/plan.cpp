@@ -1,0 +1,159 @@
+#include "plan.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace surefoot::navigation {
+namespace {
+
+Error invalid(std::string text) {
+    return {.code = ErrorCode::invalid, .text = std::move(text), .file = {}};
+}
+
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The box in the frame around all bodies that stand and are of these layers.
+struct Extent {
+    dvec3 min{std::numeric_limits<double>::infinity()};
+    dvec3 max{-std::numeric_limits<double>::infinity()};
+
+    void take(const dvec3& place) {
+        for (int axis = 0; axis < 3; ++axis) {
+            min[axis] = std::min(min[axis], place[axis]);
+            max[axis] = std::max(max[axis], place[axis]);
+        }
+    }
+    [[nodiscard]] bool is_empty() const { return min.x > max.x; }
+};
+
+std::vector<BodyPose> standing_bodies(const World& world, std::uint64_t layers) {
+    std::vector<BodyPose> poses(world.body_count());
+    poses.resize(world.save_poses(poses, layers));
+    std::erase_if(poses, [](const BodyPose& pose) {
+        return pose.start.position != pose.end.position || pose.start.orientation != pose.end.orientation;
+    });
+    return poses;
+}
+
+Extent extent_of(const World& world, std::uint64_t layers, const Frame& frame) {
+    Extent extent;
+    for (const BodyPose& body : standing_bodies(world, layers)) {
+        const Bounds box = world.source(world.find(body.body))->bounds();
+        for (int corner = 0; corner < 8; ++corner) {
+            const dvec3 place{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                              corner & 4 ? box.max.z : box.min.z};
+            extent.take(frame.turned_in(to_world(body.start, place) - frame.origin));
+        }
+    }
+    return extent;
+}
+
+std::optional<Error> fault_of(const NavigationOptions& options) {
+    if (!is_finite(options.up) || length(options.up) == 0) return invalid("navigation: `up` has no direction");
+    if (!(options.cell_size >= 0) || !(options.cell_height >= 0) || !std::isfinite(options.cell_size) ||
+        !std::isfinite(options.cell_height))
+        return invalid("navigation: a cell's size is not a length; leave it 0 to have it chosen");
+    if (options.tile_cells < 16 || options.tile_cells > 1024)
+        return invalid("navigation: a tile has 16 to 1024 cells a side, not " + std::to_string(options.tile_cells));
+    if (options.threads < 1 || options.threads > 64)
+        return invalid("navigation: 1 to 64 threads, not " + std::to_string(options.threads));
+    if (options.areas.size() > most_areas)
+        return {{.code = ErrorCode::limit,
+                 .text = "navigation: there is room for " + std::to_string(most_areas) + " areas, not for " +
+                         std::to_string(options.areas.size()) + "; surfaces of one cost can share one",
+                 .file = {}}};
+    const std::size_t known = std::max<std::size_t>(options.areas.size(), 1);
+    for (const NavigationArea& area : options.areas)
+        if (!(area.cost >= 1) || !std::isfinite(area.cost))
+            return invalid("navigation: area '" + area.name + "' costs less than plain ground; 1 is the least");
+    for (const std::uint32_t area : options.surface_areas)
+        if (area >= known)
+            return invalid("navigation: a surface is of area " + std::to_string(area) + ", which is not there");
+    for (const NavigationRegion& region : options.regions) {
+        if (!is_valid(region.pose) || !is_finite(region.half_extents) || !(region.half_extents.x > 0) ||
+            !(region.half_extents.y > 0) || !(region.half_extents.z > 0))
+            return invalid("navigation: region '" + region.name + "' has no box");
+        if (region.kind == NavigationRegion::Kind::area && region.area >= known)
+            return invalid("navigation: region '" + region.name + "' is of area " + std::to_string(region.area) +
+                           ", which is not there");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+int Plan::border_cells() const {
+    return static_cast<int>(std::ceil(agent.radius / cell_size)) + 3;
+}
+
+Expected<Plan> make_plan(const World& world, const CharacterSettings& settings, const NavigationOptions& options) {
+    if (!is_valid(settings)) return tl::unexpected(invalid("navigation: the character's settings are out of range"));
+    if (auto fault = fault_of(options)) return tl::unexpected(*std::move(fault));
+    Plan plan;
+    plan.agent = navigation_agent(settings);
+    plan.cell_size = options.cell_size > 0 ? options.cell_size : plan.agent.radius / 4;
+    plan.cell_height = options.cell_height > 0 ? options.cell_height : plan.cell_size / 2;
+    plan.tile_cells = options.tile_cells;
+    plan.tile_size = plan.cell_size * options.tile_cells;
+    plan.layers = options.layers;
+    plan.frame = Frame::about({0, 0, 0}, options.up);
+    const Extent extent = extent_of(world, options.layers, plan.frame);
+    if (extent.is_empty())
+        return tl::unexpected(invalid("navigation: there is nothing in the world that stands still"));
+    plan.frame.origin = plan.frame.out({extent.min.x, (extent.min.y + extent.max.y) / 2, extent.min.z});
+    const dvec3 size = extent.max - extent.min;
+    plan.low = static_cast<float>(-size.y / 2 - plan.cell_height);
+    plan.high = static_cast<float>(size.y / 2 + plan.agent.height + plan.cell_height);
+    constexpr double most_tiles = 1 << 14;
+    const double tiles_x = std::max(1.0, std::ceil(size.x / plan.tile_size));
+    const double tiles_z = std::max(1.0, std::ceil(size.z / plan.tile_size));
+    if (!(tiles_x * tiles_z <= most_tiles))
+        return tl::unexpected(
+            Error{.code = ErrorCode::limit,
+                  .text = "navigation: a level of " + std::to_string(size.x) + " by " + std::to_string(size.z) +
+                          " m needs more than 16384 tiles of " + std::to_string(plan.tile_size) +
+                          " m; take larger tiles (`tile_cells`), larger cells, or fewer bodies (`layers`)",
+                  .file = {}});
+    plan.tiles_x = static_cast<std::int32_t>(tiles_x);
+    plan.tiles_z = static_cast<std::int32_t>(tiles_z);
+    return plan;
+}
+
+std::vector<GroundTriangle> ground_of_tile(const World& world, const CharacterSettings& settings,
+                                           const NavigationOptions& options, const Plan& plan, int tile_x, int tile_z) {
+    const double border = (plan.border_cells() + 1) * plan.cell_size;
+    const Bounds near =
+        bounds_out(plan.frame, {tile_x * plan.tile_size - border, plan.low, tile_z * plan.tile_size - border},
+                   {(tile_x + 1) * plan.tile_size + border, plan.high, (tile_z + 1) * plan.tile_size + border});
+    const auto stands = [&](std::uint32_t body) {
+        const BodyPose poses = world.poses(world.find(body));
+        return poses.start.position == poses.end.position && poses.start.orientation == poses.end.orientation;
+    };
+    const BodyFilter bodies(stands);
+    const WorldQuery query{.layers = plan.layers, .bodies = bodies};
+    std::vector<SourceTriangle> found(4096);
+    for (std::size_t count = 0; (count = world.gather(near, found, query)) > found.size();) found.resize(count);
+    found.resize(world.gather(near, found, query));
+
+    const double least_rise = std::cos(plan.agent.slope_limit_deg * std::numbers::pi / 180) - 1e-9;
+    std::vector<GroundTriangle> ground;
+    ground.reserve(found.size());
+    for (const SourceTriangle& source : found) {
+        GroundTriangle triangle{
+            {plan.frame.in(source.triangle.a), plan.frame.in(source.triangle.b), plan.frame.in(source.triangle.c)}, 0};
+        const dvec3 normal = cross(source.triangle.b - source.triangle.a, source.triangle.c - source.triangle.a);
+        const double size = length(normal);
+        // Triangles stop from both sides, so both are ground.
+        const bool level = size > 0 && std::abs(dot(normal, plan.frame.y)) >= least_rise * size;
+        if (level && !settings.surfaces[source.surface].slippery)
+            triangle.area =
+                detour_area(source.surface < options.surface_areas.size() ? options.surface_areas[source.surface] : 0);
+        ground.push_back(triangle);
+    }
+    return ground;
+}
+
+}  // namespace surefoot::navigation

@@ -1,0 +1,207 @@
+#include <DetourNode.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+#include <surefoot/navigation_query.hpp>
+
+#include "query_state.hpp"
+
+namespace surefoot {
+
+namespace navigation {
+
+void QueryState::refresh_filter() {
+    filter.setIncludeFlags(walkable);
+    filter.setExcludeFlags(closed | taken_out);
+    const std::vector<NavigationArea>& areas = ground().areas;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        filter.setAreaCost(detour_area(static_cast<std::uint32_t>(i)), static_cast<float>(areas[i].cost));
+}
+
+bool QueryState::knows(NavigationPolygon polygon) const {
+    return detour->isValidPolyRef(polygon.id, &filter);
+}
+
+NavigationPoint QueryState::point(dtPolyRef polygon, const float* place) const {
+    return {frame().out(place), {polygon}};
+}
+
+}  // namespace navigation
+
+inline namespace v0 {
+
+using navigation::QueryState;
+
+NavigationQuery::NavigationQuery(const NavigationMesh& mesh, std::size_t most_nodes)
+    : state_(std::make_unique<QueryState>()) {
+    state_->mesh = &mesh;
+    state_->most_nodes = std::clamp<std::size_t>(most_nodes, 16, 65535);
+    state_->detour.reset(dtAllocNavMeshQuery());
+    if (!state_->detour ||
+        dtStatusFailed(state_->detour->init(mesh.state().detour.get(), static_cast<int>(state_->most_nodes))))
+        throw std::bad_alloc();
+    state_->refresh_filter();
+}
+NavigationQuery::NavigationQuery(NavigationQuery&& other) noexcept = default;
+NavigationQuery& NavigationQuery::operator=(NavigationQuery&& other) noexcept = default;
+NavigationQuery::~NavigationQuery() = default;
+
+const NavigationMesh& NavigationQuery::mesh() const noexcept {
+    return *state_->mesh;
+}
+
+namespace {
+
+/// Of all polygons that lie under or over a place, the one whose ground is nearest below it, else nearest above.
+class Beneath : public dtPolyQuery {
+public:
+    Beneath(const dtNavMeshQuery& query, const vec3& place, double below, double above)
+        : query_(query), place_(place), below_(below), above_(above) {}
+
+    void process(const dtMeshTile*, dtPoly** polygons, dtPolyRef* references, int count) override {
+        for (int i = 0; i < count; ++i) {
+            if (polygons[i]->getType() != DT_POLYTYPE_GROUND) continue;
+            float height = 0;
+            if (dtStatusFailed(query_.getPolyHeight(references[i], &place_.x, &height))) continue;
+            const double drop = static_cast<double>(place_.y) - height;
+            if (drop > below_ || -drop > above_) continue;
+            // What lies above counts as farther than all that lies below.
+            const double distance = drop >= 0 ? drop : below_ - drop;
+            if (found && distance >= distance_) continue;
+            found = references[i];
+            distance_ = distance;
+            ground = {place_.x, height, place_.z};
+        }
+    }
+
+    dtPolyRef found = 0;
+    vec3 ground{0, 0, 0};
+
+private:
+    const dtNavMeshQuery& query_;
+    vec3 place_;
+    double below_;
+    double above_;
+    double distance_ = 0;
+};
+
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+std::optional<NavigationPoint> NavigationQuery::under(const dvec3& place, double below, double above) const {
+    if (!is_finite(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    state_->refresh_filter();
+    const vec3 inside = state_->frame().in(place);
+    // What the height detail adds may lie outside of the box around a polygon's corners.
+    const float slack = static_cast<float>(state_->mesh->agent().climb);
+    const std::array<float, 3> half{1e-3F, static_cast<float>((below + above) / 2) + slack, 1e-3F};
+    const std::array<float, 3> middle{inside.x, inside.y + static_cast<float>((above - below) / 2), inside.z};
+    Beneath beneath(*state_->detour, inside, below, above);
+    if (dtStatusFailed(state_->detour->queryPolygons(middle.data(), half.data(), &state_->filter, &beneath)) ||
+        !beneath.found)
+        return std::nullopt;
+    return state_->point(beneath.found, &beneath.ground.x);
+}
+
+std::optional<NavigationPoint> NavigationQuery::nearest(const dvec3& place, double aside, double vertical) const {
+    if (!is_finite(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
+    state_->refresh_filter();
+    const vec3 inside = state_->frame().in(place);
+    const std::array<float, 3> half{static_cast<float>(aside), static_cast<float>(vertical), static_cast<float>(aside)};
+    dtPolyRef polygon = 0;
+    std::array<float, 3> point{};
+    if (dtStatusFailed(
+            state_->detour->findNearestPoly(&inside.x, half.data(), &state_->filter, &polygon, point.data())) ||
+        polygon == 0)
+        return std::nullopt;
+    const dvec3 found = state_->frame().out(point.data());
+    const dvec3 off = state_->frame().turned_in(found - place);
+    // Detour looks for polygons that reach into the box; their nearest points may lie outside.
+    if (std::abs(off.x) > aside + 1e-3 || std::abs(off.z) > aside + 1e-3 || std::abs(off.y) > vertical + 1e-3)
+        return std::nullopt;
+    return NavigationPoint{found, {polygon}};
+}
+
+bool NavigationQuery::begin_search(const NavigationPoint& from, const NavigationPoint& to) {
+    state_->refresh_filter();
+    state_->search_from = from;
+    state_->search_to = to;
+    if (!state_->knows(from.polygon) || !state_->knows(to.polygon)) return false;
+    const vec3 start = state_->frame().in(from.position);
+    const vec3 end = state_->frame().in(to.position);
+    return !dtStatusFailed(
+        state_->detour->initSlicedFindPath(from.polygon.id, to.polygon.id, &start.x, &end.x, &state_->filter));
+}
+
+bool NavigationQuery::advance_search(std::size_t rounds) {
+    int done = 0;
+    const int most = static_cast<int>(std::min<std::size_t>(rounds, 1U << 30));
+    return dtStatusInProgress(state_->detour->updateSlicedFindPath(most, &done));
+}
+
+std::size_t NavigationQuery::search_nodes(std::span<NavigationSearchNode> found) const {
+    dtNodePool& pool = *state_->detour->getNodePool();
+    const auto count = static_cast<std::size_t>(pool.getNodeCount());
+    for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
+        const dtNode* node = pool.getNodeAtIdx(static_cast<unsigned int>(i + 1));
+        found[i] = {.polygon = {node->id},
+                    .position = state_->frame().out(node->pos),
+                    .cost = node->cost,
+                    .estimate = node->total,
+                    .open = (node->flags & DT_NODE_OPEN) != 0};
+    }
+    return count;
+}
+
+std::optional<NavigationPath> NavigationQuery::finish_search() {
+    std::vector<dtPolyRef> polygons(state_->most_nodes);
+    int count = 0;
+    const dtStatus status =
+        state_->detour->finalizeSlicedFindPath(polygons.data(), &count, static_cast<int>(polygons.size()));
+    if (dtStatusFailed(status) || count == 0) return std::nullopt;
+    polygons.resize(static_cast<std::size_t>(count));
+    NavigationPoint to = state_->search_to;
+    const bool partial = polygons.back() != to.polygon.id;
+    if (partial) {
+        // As near to the goal as the last polygon lets it.
+        const vec3 goal = state_->frame().in(to.position);
+        std::array<float, 3> nearest{};
+        bool over = false;
+        if (dtStatusSucceed(state_->detour->closestPointOnPoly(polygons.back(), &goal.x, nearest.data(), &over)))
+            to = state_->point(polygons.back(), nearest.data());
+    }
+    NavigationPath path = navigation::path_along(*state_, polygons, state_->search_from, to);
+    path.partial = partial;
+    return path;
+}
+
+std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from, const NavigationPoint& to) const {
+    NavigationQuery& self = const_cast<NavigationQuery&>(*this);
+    if (!self.begin_search(from, to)) return std::nullopt;
+    while (self.advance_search(1024)) continue;
+    return self.finish_search();
+}
+
+std::optional<NavigationRay> NavigationQuery::ray(const NavigationPoint& from, const dvec3& to) const {
+    state_->refresh_filter();
+    if (!state_->knows(from.polygon) || !is_finite(to)) return std::nullopt;
+    const vec3 start = state_->frame().in(from.position);
+    const vec3 end = state_->frame().in(to);
+    dtRaycastHit hit{};
+    if (dtStatusFailed(state_->detour->raycast(from.polygon.id, &start.x, &end.x, &state_->filter, 0, &hit, 0)))
+        return std::nullopt;
+    NavigationRay ray;
+    ray.hit = hit.t < 1;
+    ray.t = ray.hit ? hit.t : 1;
+    ray.position = from.position + (to - from.position) * ray.t;
+    if (ray.hit) ray.normal = state_->frame().turned_out({hit.hitNormal[0], hit.hitNormal[1], hit.hitNormal[2]});
+    return ray;
+}
+
+}  // namespace v0
+}  // namespace surefoot

@@ -1,0 +1,46 @@
+// What a query keeps: Detour's search, and room for its answers.
+#pragma once
+
+#include <DetourNavMeshQuery.h>
+#include <memory>
+#include <vector>
+
+#include <surefoot/navigation_query.hpp>
+
+#include "funnel.hpp"
+#include "mesh_state.hpp"
+
+namespace surefoot::navigation {
+
+struct NavQueryFreed {
+    void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
+};
+
+struct QueryState {
+    const NavigationMesh* mesh = nullptr;
+    std::unique_ptr<dtNavMeshQuery, NavQueryFreed> detour;
+    dtQueryFilter filter;
+    std::size_t most_nodes = 0;
+    NavigationPoint search_from;
+    NavigationPoint search_to;
+
+    [[nodiscard]] const MeshState& ground() const { return mesh->state(); }
+    [[nodiscard]] const Frame& frame() const { return mesh->state().plan.frame; }
+    /// Costs and doors as they are now.
+    void refresh_filter();
+    [[nodiscard]] bool knows(NavigationPolygon polygon) const;
+    [[nodiscard]] NavigationPoint point(dtPolyRef polygon, const float* place) const;
+};
+
+/// What lies between two polygons that follow each other, in the frame; for a link the point where it is stepped on or
+/// off. Nothing if they do not touch.
+[[nodiscard]] std::optional<Portal> portal_between(const dtNavMesh& detour, dtPolyRef from, dtPolyRef to);
+
+/// All polygons that can be got to from one, itself first; links among them.
+[[nodiscard]] std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from);
+
+/// The path along these polygons, pulled tight.
+[[nodiscard]] NavigationPath path_along(const QueryState& state, std::span<const dtPolyRef> polygons,
+                                        const NavigationPoint& from, const NavigationPoint& to);
+
+}  // namespace surefoot::navigation
