@@ -15,7 +15,17 @@ bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gai
                    const Vec& position, const Vec& edge, const Vec& aside) noexcept {
     const Vec clear = position - aside * ((body.half_width + 2 * gait.skin) / length(aside) - 1);
     const GroundRule strict{rule.perch_distance, {}};
-    const Ground below = ground_under(surroundings, body, gait, strict, clear, 2 * rule.follows + gait.skin);
+    const double depth = 2 * rule.follows + gait.skin;
+    // The touches here are still being gone through: another gather would put other triangles in their places.
+    const auto below_in = [&](Surroundings& those) noexcept {
+        return ground_under(those, body, gait, strict, clear, depth);
+    };
+    const auto below_in_others = [&]() noexcept {
+        Surroundings others = surroundings.beside();
+        return below_in(others);
+    };
+    const bool is_there = surroundings.covers(body.around(clear, gait.up * -depth, 2 * gait.skin));
+    const Ground below = is_there ? below_in(surroundings) : below_in_others();
     if (!below.trusted || below.footing != Footing::ground) return false;
     return dot(edge - below.point, gait.up) <= rule.follows + gait.skin;
 }
