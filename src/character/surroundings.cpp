@@ -79,11 +79,13 @@ void Surroundings::sweep(const Body& body, const Vec& from, const Vec& motion, T
     const Vec ends = to - separated_at_;
     touches.begin(*this, body.kept_off, {to_dvec3(from + body.shift), to_dvec3(to + body.shift)});
     const double unsure = hair_ / hair_share;
+    const double along = along_tolerance * length(motion);
     for (std::size_t i = 0; i < count_; ++i) {
         const Separation& apart = separations_[i];
         const double first = apart.gap + dot(apart.normal, begins);
         const double last = apart.gap + dot(apart.normal, ends);
         if (first > hair_ && last > hair_) continue;
+        if (first > -hair_ && last > first - along) continue;
         touches.put_off(i, first > unsure ? (first - unsure) / (first - last) : 0);
     }
 }
