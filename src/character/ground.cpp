@@ -88,12 +88,11 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         if (first >= 0 && distance > first + window) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
-        const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre);
+        const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre, gait.up);
         for (const Vec& normal : faces.get()) {
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             if (first < 0) first = distance;
-            const Vec surface =
-                faces.replaced ? normal : surface_under(touch, surroundings, gait.skin, centre, gait.up);
+            const Vec surface = faces.replaced ? normal : faces.surface;
             const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
             const Footing footing = hold.footing;
             const bool better = ground.footing == Footing::air ||
