@@ -31,7 +31,7 @@ namespace surefoot::course {
     return run;
 }
 
-/// The height of the lowest point of the capsule at the end.
+/// The height of the lowest point of the body at the end.
 [[nodiscard]] inline double feet(const Outing& outing) {
     return outing.last().position.y - standing(outing.run->settings);
 }

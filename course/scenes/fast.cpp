@@ -56,7 +56,7 @@ Scene falls() {
     scene.bars = {{"through the floor", "m", 1e-6, "its feet stay above the floor, whatever the speed",
                    each([](const Outing& outing) {
                        Worst worst;
-                       for (const Spot& spot : outing.spots) worst.take(standing(hero()) - spot.position.y, {});
+                       for (const Spot& spot : outing.spots) worst.take(standing(outing.run->settings) - spot.position.y, {});
                        return worst.value;
                    })},
                   {"misses the ground", "m", 2 * skin, "it stands on it in the end",
@@ -100,13 +100,14 @@ Scene high_ledges() {
         {"ticks on the way down", "of those of a free fall", 0.2,
          "a fall of h takes sqrt(2 h / g); rolling off the edge adds a little", each([](const Outing& outing) {
              const double drop = drop_of(outing), top = outing.scripted().front().position.y;
+             const double end = tapered_end(outing.run->settings);
              double time = 0;
              for (const Spot& spot : outing.scripted()) {
                  const double fallen = top - spot.position.y;
-                 if (fallen > 0.4 && fallen < drop - 0.05) time += outing.run->dt();
+                 if (fallen > end && fallen < drop - 0.05) time += outing.run->dt();
              }
-             // From 0.4 m on the round end is off the edge, and it has at least the speed of a fall along it.
-             const double all = std::sqrt(2 * drop / 20), first = std::sqrt(2 * 0.4 / 20);
+             // From there on the end that rolls is off the edge, and it has at least the speed of a fall along it.
+             const double all = std::sqrt(2 * drop / 20), first = std::sqrt(2 * end / 20);
              return std::max(0.0, (time - outing.run->dt() - (all - first)) / all);
          })}};
     return scene;
@@ -137,10 +138,10 @@ Scene perches() {
                   each([](const Outing& outing) { return unrest(outing, 1); })},
                  {"between", "m", 2 * skin, "it stands on the edge or on the ground below, and nowhere between",
                   each([](const Outing& outing) {
-                      // On the edge a ball of radius r whose centre is d beyond it is r - sqrt(r^2 - d^2) lower.
-                      const double d = outing.last().position.x, r = 0.4 + skin;
-                      const double dip = d > 0 && d < r ? r - std::sqrt(r * r - d * d) : 0;
-                      return std::min(std::abs(feet(outing) + 2), std::abs(feet(outing) + dip));
+                      // On the edge a ball of radius r whose centre is d beyond it is r - sqrt(r^2 - d^2) lower, an
+                      // ellipsoid as much more as it is higher than wide, a cone by its slope, a flat end not at all.
+                      const double sunk = dip(outing.run->settings, outing.last().position.x);
+                      return std::min(std::abs(feet(outing) + 2), std::abs(feet(outing) + sunk));
                   })},
                  depth_bar()},
                 {}};

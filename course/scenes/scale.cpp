@@ -88,7 +88,7 @@ Scene sizes() {
              return worst;
          }},
         {"in a triangle", "of its size", 0.001, "a body that is kept off by a skin is never inside of anything",
-         each([](const Outing& outing) { return depth(outing) * standing(hero()) / standing(outing.run->settings); })}};
+         each([](const Outing& outing) { return depth(outing) * half_width(hero()) / half_width(outing.run->settings); })}};
     return scene;
 }
 
