@@ -10,6 +10,7 @@ void give(Run& run, BodyShape shape) {
     const double before = reach(run.settings, -run.rests_on);
     run.settings.volume = volume_as(shape, capsule_of(run.settings));
     run.start.y += (reach(run.settings, -run.rests_on) - before) / run.rests_on.y;
+    run.start.y += gap_below(run.settings) - run.settings.skin;
 }
 
 struct Exception {

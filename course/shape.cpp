@@ -57,6 +57,11 @@ double standing(const CharacterSettings& settings) {
         [](const Cone& body) { return 0.5 * body.height; });
 }
 
+double gap_below(const CharacterSettings& settings) {
+    const Cone* cone = std::get_if<Cone>(&settings.volume.shape);
+    return settings.skin * (cone != nullptr ? std::hypot(cone->radius, cone->height) / cone->radius : 1);
+}
+
 double half_width(const CharacterSettings& settings) {
     return reach(settings, {1, 0, 0});
 }

@@ -31,6 +31,9 @@ struct ShapeName {
 /// How high the centre is above level ground that it stands on, without any gap: half of its height [m].
 [[nodiscard]] double standing(const CharacterSettings& settings);
 
+/// How far level ground is kept from its lowest point: a skin, and under an apex what a skin along its sides leaves [m].
+[[nodiscard]] double gap_below(const CharacterSettings& settings);
+
 /// Half of its width [m].
 [[nodiscard]] double half_width(const CharacterSettings& settings);
 

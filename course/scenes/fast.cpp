@@ -93,14 +93,21 @@ Scene high_ledges() {
         landing_bar(),
         depth_bar(),
         {"rises", "m a tick", 0.1 * skin, "nothing lifts what walks off a ledge", each(rise_in_a_tick)},
-        {"speed is off", "of the way", 0.01, "nothing is in the way, neither on the ledge nor in the air",
+        {"speed is off", "of the way", 0.01,
+         "nothing is in the way, neither on the ledge nor in the air; an end that is higher than wide is wedged off the "
+         "edge that it falls past, from where it does not hold any more to its whole width",
          each([](const Outing& outing) {
-             return std::abs(gone(outing, {1, 0, 0}) / (outing.last().input.wish.x * outing.last().time) - 1);
+             const CharacterSettings& settings = outing.run->settings;
+             const double asked = outing.last().input.wish.x * outing.last().time;
+             const double off = gone(outing, {1, 0, 0}) - asked;
+             const bool is_wedge = tapered_end(settings) > half_width(settings);
+             const double wedged = is_wedge ? half_width(settings) + skin - settings.perch_distance : 0;
+             return (off > 0 ? std::max(0.0, off - wedged) : -off) / asked;
          })},
         {"ticks on the way down", "of those of a free fall", 0.2,
          "a fall of h takes sqrt(2 h / g); rolling off the edge adds a little", each([](const Outing& outing) {
              const double drop = drop_of(outing), top = outing.scripted().front().position.y;
-             const double end = tapered_end(outing.run->settings);
+             const double end = std::min(tapered_end(outing.run->settings), drop);
              double time = 0;
              for (const Spot& spot : outing.scripted()) {
                  const double fallen = top - spot.position.y;
