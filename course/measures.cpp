@@ -121,7 +121,8 @@ double depth(const Outing& outing) {
     std::vector<Overlap> found(256);
     return worst_tick(outing, [&](const Spot&, const Spot& after) {
         level.move_to(std::max(0.0, after.time));
-        const std::size_t touched = level.world().overlap(volume, after.position + reference, found, {.begin = 1, .end = 1});
+        const std::size_t touched =
+            level.world().overlap(volume, after.position + reference, found, {.begin = 1, .end = 1});
         double deepest = 0;
         for (std::size_t i = 0; i < std::min(touched, found.size()); ++i) {
             // A place that is no place is as deep as can be.

@@ -36,7 +36,7 @@ using Script = std::function<Input(double time, const Spot& now)>;
 struct Run {
     std::string name;  ///< unique within its scene: "30 degrees"
     LevelPointer level;
-    dvec3 start{0, 0, 0};    ///< of the centre of its body
+    dvec3 start{0, 0, 0};     ///< of the centre of its body
     dvec3 rests_on{0, 1, 0};  ///< the normal of what it is put on, so that other shapes start as far from it
     Script script;
     double seconds = 3;   ///< of the script
@@ -82,7 +82,7 @@ struct Scene {
     std::vector<Run> runs;
     std::vector<Bar> bars;
     std::vector<std::string> catches;  ///< which of the deliberately broken movers do not clear it
-    std::string cannot{};              ///< why geometry keeps bodies of this shape from clearing it; empty if it does not
+    std::string cannot{};  ///< why geometry keeps bodies of this shape from clearing it; empty if it does not
 };
 
 /// The character that every scene begins from: a capsule 1.8 m high and 0.8 m wide, slopes of 50 degrees, steps of

@@ -35,12 +35,18 @@ std::span<const ShapeName> shapes() {
 Volume volume_as(BodyShape shape, const Capsule& capsule) {
     const double wide = capsule.radius, high = capsule.half_height + capsule.radius;
     switch (shape) {
-        case BodyShape::capsule: break;
-        case BodyShape::ellipsoid: return Ellipsoid{{wide, high, wide}};
-        case BodyShape::sphere: return Sphere{wide};
-        case BodyShape::box: return Box{{wide, high, wide}};
-        case BodyShape::cylinder: return Cylinder{wide, high};
-        case BodyShape::cone: return Cone{wide, 2 * high};
+        case BodyShape::capsule:
+            break;
+        case BodyShape::ellipsoid:
+            return Ellipsoid{{wide, high, wide}};
+        case BodyShape::sphere:
+            return Sphere{wide};
+        case BodyShape::box:
+            return Box{{wide, high, wide}};
+        case BodyShape::cylinder:
+            return Cylinder{wide, high};
+        case BodyShape::cone:
+            return Cone{wide, 2 * high};
     }
     return capsule;
 }
@@ -78,7 +84,9 @@ double reach(const CharacterSettings& settings, const dvec3& direction) {
             return half.x * std::abs(x) + half.y * std::abs(y) + half.z * std::abs(z);
         },
         [=](const Cylinder& body) { return body.half_height * std::abs(y) + body.radius * level; },
-        [=](const Cone& body) { return std::max(-0.5 * body.height * y, 0.5 * body.height * y + body.radius * level); });
+        [=](const Cone& body) {
+            return std::max(-0.5 * body.height * y, 0.5 * body.height * y + body.radius * level);
+        });
 }
 
 dvec3 reference_from_centre(const CharacterSettings& settings) {
@@ -123,10 +131,18 @@ GrownBody grown_body(const CharacterSettings& settings, double by) {
     return std::visit(
         Overloaded{
             [=](const Sphere& ball) { return GrownBody{Sphere{ball.radius + by}}; },
-            [=](const Ellipsoid& body) { return GrownBody{Ellipsoid{body.radii + dvec3{by, by, by}}}; },
-            [=](const Capsule& body) { return GrownBody{Capsule{body.radius + by, body.half_height}}; },
-            [=](const Box& body) { return GrownBody{Box{body.half_extents + dvec3{by, by, by}}}; },
-            [=](const Cylinder& body) { return GrownBody{Cylinder{body.radius + by, body.half_height + by}}; },
+            [=](const Ellipsoid& body) {
+                return GrownBody{Ellipsoid{body.radii + dvec3{by, by, by}}};
+            },
+            [=](const Capsule& body) {
+                return GrownBody{Capsule{body.radius + by, body.half_height}};
+            },
+            [=](const Box& body) {
+                return GrownBody{Box{body.half_extents + dvec3{by, by, by}}};
+            },
+            [=](const Cylinder& body) {
+                return GrownBody{Cylinder{body.radius + by, body.half_height + by}};
+            },
             [=](const Cone& body) {
                 // The side goes out along its normal, which takes the apex down; the disc goes up by as much.
                 const double down = by * std::hypot(body.radius, body.height) / body.radius;

@@ -1,6 +1,6 @@
-/// The six shapes on the course: each as high and as wide as the capsule of a scene, and what bars ask of their geometry.
-/// Bars and spots speak of the centre of a body, the middle of its height above its lowest point, whatever its
-/// reference point is.
+/// The six shapes on the course: each as high and as wide as the capsule of a scene, and what bars ask of their
+/// geometry. Bars and spots speak of the centre of a body, the middle of its height above its lowest point, whatever
+/// its reference point is.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,8 @@ struct ShapeName {
 /// How high the centre is above level ground that it stands on, without any gap: half of its height [m].
 [[nodiscard]] double standing(const CharacterSettings& settings);
 
-/// How far level ground is kept from its lowest point: a skin, and under an apex what a skin along its sides leaves [m].
+/// How far level ground is kept from its lowest point: a skin, and under an apex what a skin along its sides leaves
+/// [m].
 [[nodiscard]] double gap_below(const CharacterSettings& settings);
 
 /// Half of its width [m].
@@ -49,7 +50,8 @@ struct ShapeName {
 /// From how high above its lowest point it has its whole width: the end that rolls off an edge [m].
 [[nodiscard]] double tapered_end(const CharacterSettings& settings);
 
-/// How much lower than on level ground it is when an edge holds it at this distance from its axis, both a skin apart [m].
+/// How much lower than on level ground it is when an edge holds it at this distance from its axis, both a skin apart
+/// [m].
 [[nodiscard]] double dip(const CharacterSettings& settings, double distance);
 
 /// A body and `by` more all round, sharp edges kept sharp, and where its reference point is from the centre.

@@ -99,9 +99,7 @@ public:
     }
 
 private:
-    [[nodiscard]] GrownBody swept() const {
-        return grown_body(settings_, faults_.pads_velocity ? 0 : settings_.skin);
-    }
+    [[nodiscard]] GrownBody swept() const { return grown_body(settings_, faults_.pads_velocity ? 0 : settings_.skin); }
     [[nodiscard]] std::optional<Hit> sweep(const dvec3& from, const dvec3& way) const {
         const GrownBody body = swept();
         const dvec3 at = from + body.reference;

@@ -56,7 +56,8 @@ Scene falls() {
     scene.bars = {{"through the floor", "m", 1e-6, "its feet stay above the floor, whatever the speed",
                    each([](const Outing& outing) {
                        Worst worst;
-                       for (const Spot& spot : outing.spots) worst.take(standing(outing.run->settings) - spot.position.y, {});
+                       for (const Spot& spot : outing.spots)
+                           worst.take(standing(outing.run->settings) - spot.position.y, {});
                        return worst.value;
                    })},
                   {"misses the ground", "m", 2 * skin, "it stands on it in the end",
@@ -94,7 +95,8 @@ Scene high_ledges() {
         depth_bar(),
         {"rises", "m a tick", 0.1 * skin, "nothing lifts what walks off a ledge", each(rise_in_a_tick)},
         {"speed is off", "of the way", 0.01,
-         "nothing is in the way, neither on the ledge nor in the air; an end that is higher than wide is wedged off the "
+         "nothing is in the way, neither on the ledge nor in the air; an end that is higher than wide is wedged off "
+         "the "
          "edge that it falls past, from where it does not hold any more to its whole width",
          each([](const Outing& outing) {
              const CharacterSettings& settings = outing.run->settings;

@@ -266,15 +266,14 @@ Scene bowls() {
         const CharacterSettings& settings = outing.run->settings;
         return radius * (1 - std::cos(radians(limit + 5))) + touches_below(settings, limit + 5) - standing(settings);
     };
-    scene.bars = {
-        {"climbs too high", "m", hero().jump_height + 2 * skin,
-         "ground ends where the bowl gets too steep, and one jump is the most that is added",
-         each([highest](const Outing& outing) { return climbed(outing) - highest(outing); })},
-        {"climbs too high on foot", "m", 2 * skin, "ground ends where the bowl gets too steep",
-         each([highest](const Outing& outing) {
-             return outing.run->name.starts_with("walking") ? climbed(outing) - highest(outing) : 0;
-         })},
-        depth_bar()};
+    scene.bars = {{"climbs too high", "m", hero().jump_height + 2 * skin,
+                   "ground ends where the bowl gets too steep, and one jump is the most that is added",
+                   each([highest](const Outing& outing) { return climbed(outing) - highest(outing); })},
+                  {"climbs too high on foot", "m", 2 * skin, "ground ends where the bowl gets too steep",
+                   each([highest](const Outing& outing) {
+                       return outing.run->name.starts_with("walking") ? climbed(outing) - highest(outing) : 0;
+                   })},
+                  depth_bar()};
     return scene;
 }
 
