@@ -6,6 +6,10 @@ namespace surefoot::internal {
 
 namespace {
 
+// Who slips by no more than this share of the skin is held. Edges of a box and a rim are met at several places at once,
+// which are as far apart as rounding takes them.
+constexpr double slips_less = 1e-9;
+
 // Who walks at an edge at a smaller angle than this (as a sine) walks along it.
 constexpr double towards_at_least = 0.1;
 
@@ -112,7 +116,8 @@ void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& g
     Gait falling = gait;
     falling.on_foot = false;
     const SlideResult slid = slide(surroundings, body, falling, position, gait.up * -gait.skin, {});
-    if (!(slid.position == position)) return;
+    const Vec slipped = slid.position - position;
+    if (dot(slipped, slipped) > slips_less * slips_less * gait.skin * gait.skin) return;
     ground.footing = Footing::ground;
     ground.normal = gait.up;
     ground.distance = 0;
