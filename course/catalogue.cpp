@@ -3,13 +3,47 @@
 #include "course/catches.hpp"
 
 namespace surefoot::course {
+namespace {
 
-Scenes all_scenes() {
+// The body is put as far from what it rests on as the capsule was.
+void give(Run& run, BodyShape shape) {
+    const double before = reach(run.settings, -run.rests_on);
+    run.settings.volume = volume_as(shape, capsule_of(run.settings));
+    run.start.y += (reach(run.settings, -run.rests_on) - before) / run.rests_on.y;
+    run.start.y += gap_below(run.settings) - run.settings.skin;
+}
+
+struct Exception {
+    std::string_view scene;
+    BodyShape shape;
+    std::string_view reason;
+};
+
+// What geometry keeps a shape from.
+constexpr Exception exceptions[] = {
+    {"lintel", BodyShape::sphere, "the ball is a metre lower than the lintel leaves room for, so it goes under it"},
+};
+
+std::string why_not(std::string_view scene, BodyShape shape) {
+    for (const Exception& exception : exceptions) {
+        if (exception.scene == scene && exception.shape == shape) return std::string(exception.reason);
+    }
+    return {};
+}
+
+}  // namespace
+
+Scenes all_scenes(BodyShape shape) {
     Scenes scenes;
     for (const auto add :
          {add_floors, add_walls, add_stairs, add_slopes, add_tight, add_fast, add_scale, add_moving, add_inside})
         add(scenes);
-    for (Scene& scene : scenes) scene.catches = broken_movers_caught_by(scene.name);
+    for (Scene& scene : scenes) {
+        scene.catches = broken_movers_caught_by(scene.name);
+        scene.cannot = why_not(scene.name, shape);
+        if (shape == BodyShape::capsule) continue;
+        for (Run& run : scene.runs) give(run, shape);
+    }
     return scenes;
 }
 

@@ -20,6 +20,6 @@ void add_moving(Scenes& scenes);
 void add_inside(Scenes& scenes);
 
 /// Every scene, in the order in which they are told.
-[[nodiscard]] Scenes all_scenes();
+[[nodiscard]] Scenes all_scenes(BodyShape shape = BodyShape::capsule);
 
 }  // namespace surefoot::course

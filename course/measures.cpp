@@ -117,10 +117,12 @@ double motion_once_stopped(const Outing& outing) {
 double depth(const Outing& outing) {
     LevelWorld level(*outing.run->level);
     const Volume volume = outing.run->settings.volume;
+    const dvec3 reference = reference_from_centre(outing.run->settings);
     std::vector<Overlap> found(256);
     return worst_tick(outing, [&](const Spot&, const Spot& after) {
         level.move_to(std::max(0.0, after.time));
-        const std::size_t touched = level.world().overlap(volume, after.position, found, {.begin = 1, .end = 1});
+        const std::size_t touched =
+            level.world().overlap(volume, after.position + reference, found, {.begin = 1, .end = 1});
         double deepest = 0;
         for (std::size_t i = 0; i < std::min(touched, found.size()); ++i) {
             // A place that is no place is as deep as can be.

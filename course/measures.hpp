@@ -34,7 +34,7 @@ using Measure = std::function<Worst(std::span<const Outing>)>;
 /// than a twentieth of what was asked for; infinite if it was never stopped [m].
 [[nodiscard]] double motion_once_stopped(const Outing& outing);
 
-/// How deep the capsule is in any triangle after any tick [m]. Asked of the core's exact overlap.
+/// How deep the body is in any triangle after any tick [m]. Asked of the core's exact overlap.
 [[nodiscard]] double depth(const Outing& outing);
 
 /// How far it rises in any one tick of the script [m].

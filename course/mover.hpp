@@ -11,7 +11,7 @@
 
 namespace surefoot::course {
 
-/// What a mover answers: where it is after the tick, and whether it stands on ground.
+/// What a mover answers: where its centre is after the tick, and whether it stands on ground.
 struct Answer {
     dvec3 position{0, 0, 0};
     bool grounded = false;
@@ -24,6 +24,9 @@ public:
     Mover(const Mover&) = delete;
     Mover& operator=(const Mover&) = delete;
     virtual ~Mover() = default;
+
+    /// Can it move such a body? Most have a capsule and nothing else.
+    [[nodiscard]] virtual bool takes(const Shape& shape) const { return std::holds_alternative<Capsule>(shape); }
 
     /// Forgets the run before and puts the character at the start of this one. The run outlives the walk.
     virtual void load(const Run& run) = 0;

@@ -18,6 +18,10 @@ Outing walk_run(const Run& run, Mover& mover) {
     const int all = settling + ticks(run.seconds);
     Spot now{.time = -settling * dt, .position = run.start, .grounded = false, .input = {}};
     outing.spots.push_back(now);
+    if (!mover.takes(run.settings.volume.shape)) {
+        outing.failure = "it moves no body of this shape";
+        return outing;
+    }
     try {
         mover.load(run);
         for (int tick = 0; tick < all; ++tick) {

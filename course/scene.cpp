@@ -23,15 +23,6 @@ CharacterSettings hero() {
     return settings;
 }
 
-Capsule capsule_of(const CharacterSettings& settings) {
-    return std::get<Capsule>(settings.volume.shape);
-}
-
-double standing(const CharacterSettings& settings) {
-    const Capsule capsule = capsule_of(settings);
-    return capsule.half_height + capsule.radius;
-}
-
 Script walk(const dvec3& wish) {
     return [wish](double, const Spot&) { return Input{wish}; };
 }

@@ -11,6 +11,7 @@
 #include <surefoot/math.hpp>
 
 #include "course/level.hpp"
+#include "course/shape.hpp"
 
 namespace surefoot::course {
 
@@ -35,7 +36,8 @@ using Script = std::function<Input(double time, const Spot& now)>;
 struct Run {
     std::string name;  ///< unique within its scene: "30 degrees"
     LevelPointer level;
-    dvec3 start{0, 0, 0};  ///< of the centre of its capsule
+    dvec3 start{0, 0, 0};     ///< of the centre of its body
+    dvec3 rests_on{0, 1, 0};  ///< the normal of what it is put on, so that other shapes start as far from it
     Script script;
     double seconds = 3;   ///< of the script
     double rate = 60;     ///< ticks a second
@@ -80,17 +82,12 @@ struct Scene {
     std::vector<Run> runs;
     std::vector<Bar> bars;
     std::vector<std::string> catches;  ///< which of the deliberately broken movers do not clear it
+    std::string cannot{};  ///< why geometry keeps bodies of this shape from clearing it; empty if it does not
 };
 
 /// The character that every scene begins from: a capsule 1.8 m high and 0.8 m wide, slopes of 50 degrees, steps of
 /// 0.4 m, gravity 20 m/s^2, and no inertia on its feet or in the air, so that a wish is a speed.
 [[nodiscard]] CharacterSettings hero();
-
-/// The capsule of these settings. Requires: `volume` is one.
-[[nodiscard]] Capsule capsule_of(const CharacterSettings& settings);
-
-/// How high the centre is above level ground that it stands on, without any gap [m].
-[[nodiscard]] double standing(const CharacterSettings& settings);
 
 /// Walks with one and the same wish.
 [[nodiscard]] Script walk(const dvec3& wish);

@@ -7,23 +7,26 @@ namespace {
 
 class Ours final : public Mover {
 public:
+    [[nodiscard]] bool takes(const Shape& /*shape*/) const override { return true; }
     void load(const Run& run) override {
         run_ = &run;
         level_ = std::make_unique<LevelWorld>(*run.level);
         state_ = {};
-        state_.position = run.start;
+        reference_ = reference_from_centre(run.settings);
+        state_.position = run.start + reference_;
     }
 
     Answer tick(const Input& input, double dt, std::span<const Pose> poses) override {
         level_->move_to(poses);
         state_ = step(level_->world(), run_->settings, {.wish = input.wish, .jump = input.jump}, dt, state_).state;
-        return {state_.position, state_.footing == Footing::ground};
+        return {state_.position - reference_, state_.footing == Footing::ground};
     }
 
 private:
     const Run* run_ = nullptr;
     std::unique_ptr<LevelWorld> level_;
     CharacterState state_;
+    dvec3 reference_{0, 0, 0};  // from the centre
 };
 
 }  // namespace

@@ -63,6 +63,7 @@ class Textbook final : public Mover {
 public:
     explicit Textbook(const Faults& faults) : faults_(faults) {}
 
+    [[nodiscard]] bool takes(const Shape& /*shape*/) const override { return true; }
     void load(const Run& run) override {
         level_ = std::make_unique<LevelWorld>(*run.level);
         settings_ = run.settings;
@@ -98,13 +99,15 @@ public:
     }
 
 private:
-    [[nodiscard]] Volume grown(double by) const {
-        const Capsule capsule = capsule_of(settings_);
-        return Capsule{.radius = capsule.radius + by, .half_height = capsule.half_height};
-    }
-    [[nodiscard]] Volume swept() const { return grown(faults_.pads_velocity ? 0 : settings_.skin); }
+    [[nodiscard]] GrownBody swept() const { return grown_body(settings_, faults_.pads_velocity ? 0 : settings_.skin); }
     [[nodiscard]] std::optional<Hit> sweep(const dvec3& from, const dvec3& way) const {
-        return level_->world().sweep(swept(), {from, from + way}, at_end);
+        const GrownBody body = swept();
+        const dvec3 at = from + body.reference;
+        return level_->world().sweep(body.volume, {at, at + way}, at_end);
+    }
+    std::size_t overlap_with(double skin, std::span<Overlap> found) const {
+        const GrownBody body = grown_body(settings_, skin);
+        return level_->world().overlap(body.volume, position_ + body.reference, found, at_end);
     }
 
     /// Triangles that touch a small ball: what meets at a point.
@@ -148,7 +151,7 @@ private:
 
     void touched(std::vector<Plane>& planes) const {
         std::vector<Overlap> found(128);
-        const std::size_t count = level_->world().overlap(grown(1.2 * settings_.skin), position_, found, at_end);
+        const std::size_t count = overlap_with(1.2 * settings_.skin, found);
         for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
             const Overlap& touch = found[i];
             if (touch.status != HitStatus::ok) continue;
@@ -200,7 +203,7 @@ private:
         std::optional<dvec3> wall;
         std::vector<Overlap> found(128);
         for (int pass = 0; pass < 8; ++pass) {
-            const std::size_t count = level_->world().overlap(grown(skin), position_, found, at_end);
+            const std::size_t count = overlap_with(skin, found);
             const Overlap* deepest = nullptr;
             for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
                 if (!deepest || found[i].depth > deepest->depth) deepest = &found[i];

@@ -31,9 +31,10 @@ namespace surefoot::course {
     return run;
 }
 
-/// The height of the lowest point of the capsule at the end.
+/// The height of the lowest point of the body at the end, a skin below which level ground is expected.
 [[nodiscard]] inline double feet(const Outing& outing) {
-    return outing.last().position.y - standing(outing.run->settings);
+    const CharacterSettings& settings = outing.run->settings;
+    return outing.last().position.y - standing(settings) - (gap_below(settings) - settings.skin);
 }
 
 /// Numbers that look random and are the same on every machine.

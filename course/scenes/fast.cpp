@@ -56,7 +56,8 @@ Scene falls() {
     scene.bars = {{"through the floor", "m", 1e-6, "its feet stay above the floor, whatever the speed",
                    each([](const Outing& outing) {
                        Worst worst;
-                       for (const Spot& spot : outing.spots) worst.take(standing(hero()) - spot.position.y, {});
+                       for (const Spot& spot : outing.spots)
+                           worst.take(standing(outing.run->settings) - spot.position.y, {});
                        return worst.value;
                    })},
                   {"misses the ground", "m", 2 * skin, "it stands on it in the end",
@@ -93,20 +94,29 @@ Scene high_ledges() {
         landing_bar(),
         depth_bar(),
         {"rises", "m a tick", 0.1 * skin, "nothing lifts what walks off a ledge", each(rise_in_a_tick)},
-        {"speed is off", "of the way", 0.01, "nothing is in the way, neither on the ledge nor in the air",
+        {"speed is off", "of the way", 0.01,
+         "nothing is in the way, neither on the ledge nor in the air; an end that is higher than wide is wedged off "
+         "the "
+         "edge that it falls past, from where it does not hold any more to its whole width",
          each([](const Outing& outing) {
-             return std::abs(gone(outing, {1, 0, 0}) / (outing.last().input.wish.x * outing.last().time) - 1);
+             const CharacterSettings& settings = outing.run->settings;
+             const double asked = outing.last().input.wish.x * outing.last().time;
+             const double off = gone(outing, {1, 0, 0}) - asked;
+             const bool is_wedge = tapered_end(settings) > half_width(settings);
+             const double wedged = is_wedge ? half_width(settings) + skin - settings.perch_distance : 0;
+             return (off > 0 ? std::max(0.0, off - wedged) : -off) / asked;
          })},
         {"ticks on the way down", "of those of a free fall", 0.2,
          "a fall of h takes sqrt(2 h / g); rolling off the edge adds a little", each([](const Outing& outing) {
              const double drop = drop_of(outing), top = outing.scripted().front().position.y;
+             const double end = std::min(tapered_end(outing.run->settings), drop);
              double time = 0;
              for (const Spot& spot : outing.scripted()) {
                  const double fallen = top - spot.position.y;
-                 if (fallen > 0.4 && fallen < drop - 0.05) time += outing.run->dt();
+                 if (fallen > end && fallen < drop - 0.05) time += outing.run->dt();
              }
-             // From 0.4 m on the round end is off the edge, and it has at least the speed of a fall along it.
-             const double all = std::sqrt(2 * drop / 20), first = std::sqrt(2 * 0.4 / 20);
+             // From there on the end that rolls is off the edge, and it has at least the speed of a fall along it.
+             const double all = std::sqrt(2 * drop / 20), first = std::sqrt(2 * end / 20);
              return std::max(0.0, (time - outing.run->dt() - (all - first)) / all);
          })}};
     return scene;
@@ -137,10 +147,10 @@ Scene perches() {
                   each([](const Outing& outing) { return unrest(outing, 1); })},
                  {"between", "m", 2 * skin, "it stands on the edge or on the ground below, and nowhere between",
                   each([](const Outing& outing) {
-                      // On the edge a ball of radius r whose centre is d beyond it is r - sqrt(r^2 - d^2) lower.
-                      const double d = outing.last().position.x, r = 0.4 + skin;
-                      const double dip = d > 0 && d < r ? r - std::sqrt(r * r - d * d) : 0;
-                      return std::min(std::abs(feet(outing) + 2), std::abs(feet(outing) + dip));
+                      // On the edge a ball of radius r whose centre is d beyond it is r - sqrt(r^2 - d^2) lower, an
+                      // ellipsoid as much more as it is higher than wide, a cone by its slope, a flat end not at all.
+                      const double sunk = dip(outing.run->settings, outing.last().position.x);
+                      return std::min(std::abs(feet(outing) + 2), std::abs(feet(outing) + sunk));
                   })},
                  depth_bar()},
                 {}};

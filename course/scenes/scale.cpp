@@ -73,22 +73,23 @@ Scene sizes() {
             scene.runs.push_back(run);
         }
     }
-    scene.bars = {
-        {"differs from the walk of 1.8 m", "of its size", 0.001,
-         "geometry has no size: all lengths, speeds and gravity are scaled, and so is the way",
-         [](std::span<const Outing> outings) {
-             Worst worst;
-             for (std::size_t i = 2; i < outings.size(); ++i) {
-                 const Outing& own = outings[i % 2];
-                 const double scale = standing(outings[i].run->settings) / standing(own.run->settings);
-                 for (std::size_t k = 0; k < own.spots.size(); ++k)
-                     worst.take(distance(outings[i].spots[k].position * (1 / scale), own.spots[k].position),
-                                outings[i].run->name);
-             }
-             return worst;
-         }},
-        {"in a triangle", "of its size", 0.001, "a body that is kept off by a skin is never inside of anything",
-         each([](const Outing& outing) { return depth(outing) * standing(hero()) / standing(outing.run->settings); })}};
+    scene.bars = {{"differs from the walk of 1.8 m", "of its size", 0.001,
+                   "geometry has no size: all lengths, speeds and gravity are scaled, and so is the way",
+                   [](std::span<const Outing> outings) {
+                       Worst worst;
+                       for (std::size_t i = 2; i < outings.size(); ++i) {
+                           const Outing& own = outings[i % 2];
+                           const double scale = standing(outings[i].run->settings) / standing(own.run->settings);
+                           for (std::size_t k = 0; k < own.spots.size(); ++k)
+                               worst.take(distance(outings[i].spots[k].position * (1 / scale), own.spots[k].position),
+                                          outings[i].run->name);
+                       }
+                       return worst;
+                   }},
+                  {"in a triangle", "of its size", 0.001,
+                   "a body that is kept off by a skin is never inside of anything", each([](const Outing& outing) {
+                       return depth(outing) * half_width(hero()) / half_width(outing.run->settings);
+                   })}};
     return scene;
 }
 

@@ -20,8 +20,8 @@ Run on_slope(const std::string& name, const Triangles& triangles, double degrees
              double seconds) {
     Run run = run_at(name, level_of(triangles), {0, 0, 0}, std::move(script), seconds);
     const double c = std::cos(radians(degrees));
-    const Capsule capsule = capsule_of(run.settings);
-    run.start = {x, x * std::tan(radians(degrees)) + (capsule.radius + 2 * skin) / c + capsule.half_height, 0};
+    run.rests_on = {-std::sin(radians(degrees)), c, 0};
+    run.start = {x, x * std::tan(radians(degrees)) + (reach(run.settings, -run.rests_on) + 2 * skin) / c, 0};
     return run;
 }
 
@@ -190,8 +190,9 @@ Scene grooves() {
     Scene scene{"groove", "grooves of two slopes of 20 to 75 degrees: along them, and standing in them", {}, {}, {}};
     for (const double degrees : {20.0, 40.0, 49.0, 60.0, 75.0}) {
         Run run = run_at(text_of(degrees) + " degrees, along", groove(degrees), {-10, 0, 0}, walk({speed, 0, 0}), 3);
-        const Capsule capsule = capsule_of(run.settings);
-        run.start.y = (capsule.radius + 2 * skin) / std::cos(radians(degrees)) + capsule.half_height;
+        // Both slopes are as far from it, so one stands for both.
+        run.rests_on = {0, std::cos(radians(degrees)), std::sin(radians(degrees))};
+        run.start.y = (reach(run.settings, -run.rests_on) + 2 * skin) / run.rests_on.y;
         scene.runs.push_back(run);
         run.name = text_of(degrees) + " degrees, standing";
         run.script = walk({});
@@ -259,15 +260,20 @@ Scene bowls() {
             },
             6));
     }
-    // Facets of 5 degrees: the first that is too steep begins within 5 degrees of the limit. A body of radius r in a
-    // bowl of R touches at R (1 - cos a) and its own lowest point is r (1 - cos a) below that.
-    const double highest = (radius - 0.4) * (1 - std::cos(radians(limit + 5)));
-    scene.bars = {
-        {"climbs", "m", highest + hero().jump_height + 2 * skin,
-         "ground ends where the bowl gets too steep, and one jump is the most that is added", each(climbed)},
-        {"climbs on foot", "m", highest + 2 * skin, "ground ends where the bowl gets too steep",
-         each([](const Outing& outing) { return outing.run->name.starts_with("walking") ? climbed(outing) : 0; })},
-        depth_bar()};
+    // Facets of 5 degrees: the first that is too steep begins within 5 degrees of the limit. In a bowl of R a body
+    // touches at R (1 - cos a), and its own lowest point is below that: r (1 - cos a) for a ball of r.
+    const auto highest = [](const Outing& outing) {
+        const CharacterSettings& settings = outing.run->settings;
+        return radius * (1 - std::cos(radians(limit + 5))) + touches_below(settings, limit + 5) - standing(settings);
+    };
+    scene.bars = {{"climbs too high", "m", hero().jump_height + 2 * skin,
+                   "ground ends where the bowl gets too steep, and one jump is the most that is added",
+                   each([highest](const Outing& outing) { return climbed(outing) - highest(outing); })},
+                  {"climbs too high on foot", "m", 2 * skin, "ground ends where the bowl gets too steep",
+                   each([highest](const Outing& outing) {
+                       return outing.run->name.starts_with("walking") ? climbed(outing) - highest(outing) : 0;
+                   })},
+                  depth_bar()};
     return scene;
 }
 

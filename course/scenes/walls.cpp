@@ -35,7 +35,7 @@ Bar slide_bar() {
 Bar gap_bar() {
     return {"off the wall", "m", 2 * skin, "it presses on, so it is a skin away from it and not more than two",
             each([](const Outing& outing) {
-                return std::abs(-outing.last().position.x - capsule_of(outing.run->settings).radius);
+                return std::abs(-outing.last().position.x - half_width(outing.run->settings));
             })};
 }
 
@@ -163,9 +163,11 @@ Scene convex_edges() {
                   ground_bar(),
                   depth_bar(),
                   {"short of the way round", "m", 0,
-                   "a round body that slides about an edge loses less than half a second on the way",
+                   "a round body that slides about an edge loses less than half a second on the way; a flat side that "
+                   "meets a flat side head on stays",
                    each([](const Outing& outing) {
                        const bool is_straight = outing.last().input.wish.z == 0;
+                       if (is_straight && std::holds_alternative<Box>(outing.run->settings.volume.shape)) return 0.0;
                        // Head on it goes on beside the block; at 45 degrees along the side that it came to.
                        const double least = is_straight ? 4 * (2.5 - 0.5) : 4 * 0.7071 * (2.5 - 0.5);
                        return short_of(least, std::max(gone(outing, {1, 0, 0}), gone(outing, {0, 0, 1})));

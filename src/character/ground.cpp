@@ -6,6 +6,10 @@ namespace surefoot::internal {
 
 namespace {
 
+// Who slips by no more than this share of the skin is held. Edges of a box and a rim are met at several places at once,
+// which are as far apart as rounding takes them.
+constexpr double slips_less = 1e-9;
+
 // Who walks at an edge at a smaller angle than this (as a sine) walks along it.
 constexpr double towards_at_least = 0.1;
 
@@ -15,7 +19,17 @@ bool goes_on_below(Surroundings& surroundings, const Body& body, const Gait& gai
                    const Vec& position, const Vec& edge, const Vec& aside) noexcept {
     const Vec clear = position - aside * ((body.half_width + 2 * gait.skin) / length(aside) - 1);
     const GroundRule strict{rule.perch_distance, {}};
-    const Ground below = ground_under(surroundings, body, gait, strict, clear, 2 * rule.follows + gait.skin);
+    const double depth = 2 * rule.follows + gait.skin;
+    // The touches here are still being gone through: another gather would put other triangles in their places.
+    const auto below_in = [&](Surroundings& those) noexcept {
+        return ground_under(those, body, gait, strict, clear, depth);
+    };
+    const auto below_in_others = [&]() noexcept {
+        Surroundings others = surroundings.beside();
+        return below_in(others);
+    };
+    const bool is_there = surroundings.covers(body.around(clear, gait.up * -depth, 2 * gait.skin));
+    const Ground below = is_there ? below_in(surroundings) : below_in_others();
     if (!below.trusted || below.footing != Footing::ground) return false;
     return dot(edge - below.point, gait.up) <= rule.follows + gait.skin;
 }
@@ -78,12 +92,11 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         if (first >= 0 && distance > first + window) break;
         const SourceTriangle triangle = surroundings.triangles()[touch.index];
         const Vec centre = position + down * touch.t;
-        const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre);
+        const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre, gait.up);
         for (const Vec& normal : faces.get()) {
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             if (first < 0) first = distance;
-            const Vec surface =
-                faces.replaced ? normal : surface_under(touch, surroundings, gait.skin, centre, gait.up);
+            const Vec surface = faces.replaced ? normal : faces.surface;
             const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
             const Footing footing = hold.footing;
             const bool better = ground.footing == Footing::air ||
@@ -103,7 +116,8 @@ void stand_if_wedged(Surroundings& surroundings, const Body& body, const Gait& g
     Gait falling = gait;
     falling.on_foot = false;
     const SlideResult slid = slide(surroundings, body, falling, position, gait.up * -gait.skin, {});
-    if (!(slid.position == position)) return;
+    const Vec slipped = slid.position - position;
+    if (dot(slipped, slipped) > slips_less * slips_less * gait.skin * gait.skin) return;
     ground.footing = Footing::ground;
     ground.normal = gait.up;
     ground.distance = 0;

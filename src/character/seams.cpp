@@ -68,6 +68,28 @@ void near(const Surroundings& surroundings, const Vec& point, double reach, cons
     surroundings.near({point - around, point + around}, visit);
 }
 
+// Of the surfaces that hold a point of touch the one that looks most along `up`.
+class Uppermost {
+public:
+    Uppermost(const Touch& touch, const Vec& up) noexcept : touch_(touch), up_(up), best_(touch.normal) {}
+
+    void offer(const Face& held) noexcept {
+        // Turned away from the touch: not what it stands on.
+        if (dot(held.normal, touch_.normal) < -1e-9) return;
+        const double height = dot(held.normal, up_);
+        if (!(height > height_)) return;
+        height_ = height;
+        best_ = held.normal;
+    }
+    [[nodiscard]] const Vec& normal() const noexcept { return best_; }
+
+private:
+    const Touch& touch_;
+    const Vec& up_;
+    Vec best_;
+    double height_ = -1;
+};
+
 }  // namespace
 
 void Faces::add(const Vec& normal) noexcept {
@@ -77,17 +99,20 @@ void Faces::add(const Vec& normal) noexcept {
     if (count < most) normals[count++] = normal;
 }
 
-Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin,
-               const Vec& centre) noexcept {
+Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin, const Vec& centre,
+               const Vec& up) noexcept {
     Faces faces;
+    faces.surface = touch.normal;
     const double reach = holds_within * skin;
     if (touch.feature != Feature::face) {
         const Face own = face_of(surroundings.triangles()[touch.index].triangle, centre);
+        Uppermost uppermost(touch, up);
         bool covered = false;
         near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
             const Face face = face_of(triangle.triangle, centre);
             if (face.normal == Vec{}) return;
             const auto held = held_at(face, touch.point, reach);
+            if (held) uppermost.offer(face);
             if (held && is_nearly(face.normal, touch.normal)) {
                 faces.add(face.normal);
                 return;
@@ -106,6 +131,7 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
             is_before(body, centre, own, reach)) {
             faces.add(own.normal);
         }
+        faces.surface = uppermost.normal();
         faces.replaced = faces.count > 0;
     }
     if (!faces.replaced) faces.add(touch.normal);
@@ -116,19 +142,13 @@ Vec surface_under(const Touch& touch, const Surroundings& surroundings, double s
                   const Vec& up) noexcept {
     if (touch.feature == Feature::face) return touch.normal;
     const double reach = holds_within * skin;
-    Vec best = touch.normal;
-    double height = -1;
+    Uppermost uppermost(touch, up);
     near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
         const Face face = face_of(triangle.triangle, centre);
         if (face.normal == Vec{} || !held_at(face, touch.point, reach)) return;
-        // Turned away from the touch: not what it stands on.
-        if (dot(face.normal, touch.normal) < -1e-9) return;
-        if (dot(face.normal, up) > height) {
-            height = dot(face.normal, up);
-            best = face.normal;
-        }
+        uppermost.offer(face);
     });
-    return best;
+    return uppermost.normal();
 }
 
 }  // namespace surefoot::internal

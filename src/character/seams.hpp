@@ -17,6 +17,7 @@ struct Faces {
     std::array<Vec, most> normals{};
     std::size_t count = 0;
     bool replaced = false;  ///< the touch's own normal was none of the surface's
+    Vec surface;            ///< as `surface_under` tells it
 
     [[nodiscard]] std::span<const Vec> get() const noexcept { return {normals.data(), count}; }
     void add(const Vec& normal) noexcept;
@@ -28,7 +29,7 @@ struct Faces {
 /// and against that triangle's own face, as far as the body is in front of them. A surface holds
 /// a point that is half the `skin` away or less; `centre` is where the body is, to tell which side of a face it is on.
 [[nodiscard]] Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin,
-                             const Vec& centre) noexcept;
+                             const Vec& centre, const Vec& up) noexcept;
 
 /// The normal of the surface that holds the point of touch and looks most along `up`, turned towards the body; the
 /// touch's own if there is none.

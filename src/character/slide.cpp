@@ -180,7 +180,7 @@ private:
     bool meet(const Touch& touch, const Vec& motion) noexcept {
         if (touch.is_neighbour) return meet_neighbour(touch, motion);
         const Vec centre = result_.position + motion * touch.t;
-        const Faces faces = faces_of(touch, surroundings_, body_, gait_.skin, centre);
+        const Faces faces = faces_of(touch, surroundings_, body_, gait_.skin, centre, gait_.up);
         const double way = length(motion);
         bool in_the_way = false;
         for (const Vec& normal : faces.get()) {

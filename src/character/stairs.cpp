@@ -32,6 +32,22 @@ Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, con
     return {position + gait.up * risen, risen};
 }
 
+Box3 box_of_step(const Body& body, const Gait& gait, const StepSettings& settings, const Vec& position,
+                 const Vec& level, const Vec& wall) noexcept {
+    const Vec out = wall - gait.up * dot(wall, gait.up);
+    const double run = length(out);
+    const Vec ahead = run > 0 ? out * (-larger(-dot(level, out) / run, settings.step_depth) / run) : Vec{};
+    const double margin = 3 * gait.skin;
+    // From a skin below where it stands to the top, there ahead and by the way.
+    const Vec top = position + gait.up * settings.step_up;
+    Box3 box = body.around(position - gait.up * gait.skin, gait.up * (gait.skin + settings.step_up), margin);
+    box.include(body.around(top, ahead, margin));
+    box.include(body.around(top, level, margin));
+    box.include(body.around(position, ahead, margin));
+    box.include(body.around(position, level, margin));
+    return box;
+}
+
 std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
                                  const StepSettings& settings, const Vec& position, const Vec& level,
                                  const Vec& wall) noexcept {

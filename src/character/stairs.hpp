@@ -27,6 +27,10 @@ struct Raised {
 [[nodiscard]] Raised raise(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& position,
                            double height) noexcept;
 
+/// The box that most of what step_up asks lies in: one gather for all of it.
+[[nodiscard]] Box3 box_of_step(const Body& body, const Gait& gait, const StepSettings& settings, const Vec& position,
+                               const Vec& level, const Vec& wall) noexcept;
+
 /// Tries to go on by `level`, which is across `up`, over what blocks it at `position`. Whether there is a step is asked
 /// `step_depth` ahead, square to the `wall` that blocks it and however short `level` is; then it is gone by `level`.
 [[nodiscard]] std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait,

@@ -35,8 +35,12 @@ Named Surroundings::name_of(const Touch& touch) const noexcept {
     return {triangles_[touch.index].body, triangles_[touch.index].id};
 }
 
+bool Surroundings::covers(const Box3& box) const noexcept {
+    return is_inside(box, covered_);
+}
+
 bool Surroundings::cover(const Box3& box) noexcept {
-    if (is_inside(box, covered_)) return true;
+    if (covers(box)) return true;
     const std::size_t count = world_.gather({to_dvec3(box.min), to_dvec3(box.max)}, triangles_.all(), query_);
     const bool fits = count <= most;
     count_ = fits ? count : 0;
@@ -46,6 +50,13 @@ bool Surroundings::cover(const Box3& box) noexcept {
         boxes_[i] = box_of(triangles_[i].triangle);
     }
     return fits;
+}
+
+void Surroundings::cover_as_well(const Box3& box) noexcept {
+    if (covers(box)) return;
+    Box3 both = box;
+    if (count_ > 0 && covered_.meets(box)) both.include(covered_);
+    (void)cover(both);
 }
 
 void Surroundings::sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,
@@ -68,11 +79,13 @@ void Surroundings::sweep(const Body& body, const Vec& from, const Vec& motion, T
     const Vec ends = to - separated_at_;
     touches.begin(*this, body.kept_off, {to_dvec3(from + body.shift), to_dvec3(to + body.shift)});
     const double unsure = hair_ / hair_share;
+    const double along = along_tolerance * length(motion);
     for (std::size_t i = 0; i < count_; ++i) {
         const Separation& apart = separations_[i];
         const double first = apart.gap + dot(apart.normal, begins);
         const double last = apart.gap + dot(apart.normal, ends);
         if (first > hair_ && last > hair_) continue;
+        if (first > -hair_ && last > first - along) continue;
         touches.put_off(i, first > unsure ? (first - unsure) / (first - last) : 0);
     }
 }

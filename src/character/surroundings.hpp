@@ -54,6 +54,13 @@ public:
     /// Makes sure that the triangles in this box are there. False if there are more than find room.
     bool cover(const Box3& box) noexcept;
 
+    /// Are they there already?
+    [[nodiscard]] bool covers(const Box3& box) const noexcept;
+
+    /// Makes sure of a box of which several questions are going to be asked, beside what is there already. Where there
+    /// are too many for one gather, each question makes its own.
+    void cover_as_well(const Box3& box) noexcept;
+
     /// All triangles, in the order of (body, id).
     [[nodiscard]] std::span<const SourceTriangle> triangles() const noexcept { return {triangles_.data(), count_}; }
 

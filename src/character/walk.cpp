@@ -55,10 +55,11 @@ private:
         result_.position = slid.position;
         if (slid.wall_count > 0 && !(settings_.step_up > 0)) tell_steps_off(slid.walls[0].normal, level);
         for (std::size_t i = 0; i < slid.wall_count && settings_.step_up > 0; ++i) {
-            if (dot(slid.walls[i].normal, level) >= 0) continue;
-            const auto stepped =
-                internal::step_up(surroundings_, body_, gait_, rule_, {settings_.step_up, settings_.step_depth}, from,
-                                  level, slid.walls[i].normal);
+            const Vec& wall = slid.walls[i].normal;
+            if (dot(wall, level) >= 0) continue;
+            const StepSettings settings{settings_.step_up, settings_.step_depth};
+            surroundings_.cover_as_well(box_of_step(body_, gait_, settings, from, level, wall));
+            const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_, settings, from, level, wall);
             if (!stepped || dot(stepped->position - slid.position, level) <= 0) continue;
             result_.position = stepped->position;
             result_.stepped_up = true;
