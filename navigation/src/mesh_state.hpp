@@ -62,6 +62,9 @@ enum class Connect : std::uint8_t { links, nothing };
 /// is as it was.
 [[nodiscard]] std::optional<Error> replace_tiles(MeshState& state, std::vector<TileMesh> tiles);
 
+/// Of a polygon seen from above [m^2].
+[[nodiscard]] double area_of(const dtMeshTile& tile, const dtPoly& polygon);
+
 /// Why there is no ground in a region that requires some, if it does and there is none.
 [[nodiscard]] std::optional<Error> missing_ground(const MeshState& state, const NavigationRegion& region);
 

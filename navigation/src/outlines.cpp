@@ -12,17 +12,6 @@ const float* corner_of(const dtMeshTile& tile, const dtPoly& polygon, int corner
     return &tile.verts[3 * static_cast<std::size_t>(polygon.verts[corner])];
 }
 
-double area_of(const dtMeshTile& tile, const dtPoly& polygon) {
-    double twice = 0;
-    const float* a = corner_of(tile, polygon, 0);
-    for (int i = 2; i < polygon.vertCount; ++i) {
-        const float* b = corner_of(tile, polygon, i - 1);
-        const float* c = corner_of(tile, polygon, i);
-        twice += (double{b[0]} - a[0]) * (double{c[2]} - a[2]) - (double{b[2]} - a[2]) * (double{c[0]} - a[0]);
-    }
-    return std::abs(twice) / 2;
-}
-
 NavigationOutline outline_of(const MeshState& state, dtPolyRef reference, const dtMeshTile& tile,
                              const dtPoly& polygon) {
     NavigationOutline outline{.polygon = {reference},
@@ -66,7 +55,7 @@ NavigationReport NavigationMesh::report() const noexcept {
         if (&tile != last) ++report.tiles;
         last = &tile;
         ++report.polygons;
-        report.area += area_of(tile, polygon);
+        report.area += navigation::area_of(tile, polygon);
     });
     return report;
 }
@@ -74,6 +63,17 @@ NavigationReport NavigationMesh::report() const noexcept {
 }  // namespace v0
 
 namespace navigation {
+
+double area_of(const dtMeshTile& tile, const dtPoly& polygon) {
+    double twice = 0;
+    const float* a = corner_of(tile, polygon, 0);
+    for (int i = 2; i < polygon.vertCount; ++i) {
+        const float* b = corner_of(tile, polygon, i - 1);
+        const float* c = corner_of(tile, polygon, i);
+        twice += (double{b[0]} - a[0]) * (double{c[2]} - a[2]) - (double{b[2]} - a[2]) * (double{c[0]} - a[0]);
+    }
+    return std::abs(twice) / 2;
+}
 
 std::optional<Error> missing_ground(const MeshState& state, const NavigationRegion& region) {
     if (region.kind != NavigationRegion::Kind::require) return std::nullopt;

@@ -12,6 +12,12 @@ namespace surefoot {
 
 namespace navigation {
 
+DetourQuery make_detour_query(const dtNavMesh& mesh, std::size_t most_nodes) {
+    DetourQuery query(dtAllocNavMeshQuery());
+    if (!query || dtStatusFailed(query->init(&mesh, static_cast<int>(most_nodes)))) throw std::bad_alloc();
+    return query;
+}
+
 void QueryState::refresh_filter() {
     filter.setIncludeFlags(walkable);
     filter.setExcludeFlags(closed | taken_out);
@@ -38,10 +44,7 @@ NavigationQuery::NavigationQuery(const NavigationMesh& mesh, std::size_t most_no
     : state_(std::make_unique<QueryState>()) {
     state_->mesh = &mesh;
     state_->most_nodes = std::clamp<std::size_t>(most_nodes, 16, 65535);
-    state_->detour.reset(dtAllocNavMeshQuery());
-    if (!state_->detour ||
-        dtStatusFailed(state_->detour->init(mesh.state().detour.get(), static_cast<int>(state_->most_nodes))))
-        throw std::bad_alloc();
+    state_->detour = navigation::make_detour_query(*mesh.state().detour, state_->most_nodes);
     state_->refresh_filter();
 }
 NavigationQuery::NavigationQuery(NavigationQuery&& other) noexcept = default;

@@ -16,9 +16,14 @@ struct NavQueryFreed {
     void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
 };
 
+using DetourQuery = std::unique_ptr<dtNavMeshQuery, NavQueryFreed>;
+
+/// Throws `std::bad_alloc`.
+[[nodiscard]] DetourQuery make_detour_query(const dtNavMesh& mesh, std::size_t most_nodes);
+
 struct QueryState {
     const NavigationMesh* mesh = nullptr;
-    std::unique_ptr<dtNavMeshQuery, NavQueryFreed> detour;
+    DetourQuery detour;
     dtQueryFilter filter;
     std::size_t most_nodes = 0;
     NavigationPoint search_from;
