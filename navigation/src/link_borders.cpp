@@ -1,9 +1,11 @@
 #include "link_borders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <new>
 
+#include "query_state.hpp"
 #include "spots.hpp"
 
 namespace surefoot::navigation {
@@ -46,6 +48,18 @@ dvec3 away_from(const dvec3& inside, const dvec3& a, const dvec3& b) {
     return dot(out, a - inside) < 0 ? -out : out;
 }
 
+/// A place on a side is so far inside of the polygon [m].
+constexpr double hair = 1e-3;
+
+/// Between its corners a side may lie far from the ground; the finer heights of the polygon follow it.
+dvec3 on_ground(const dtNavMeshQuery& query, dtPolyRef polygon, const dvec3& place) {
+    const vec3 at(place);
+    std::array<float, 3> found{};
+    bool is_over = false;
+    if (dtStatusFailed(query.closestPointOnPoly(polygon, &at.x, found.data(), &is_over))) return place;
+    return {found[0], found[1], found[2]};
+}
+
 }  // namespace
 
 Islands::Islands(const dtNavMesh& detour) {
@@ -77,6 +91,8 @@ std::uint32_t Islands::of(dtPolyRef polygon) const {
 std::vector<BorderPlace> border_places(const MeshState& state, const Islands& islands, double spacing) {
     std::vector<BorderPlace> places;
     Spots spots(spacing);
+    const std::unique_ptr<dtNavMeshQuery, NavQueryFreed> query(dtAllocNavMeshQuery());
+    if (!query || dtStatusFailed(query->init(state.detour.get(), 16))) throw std::bad_alloc();
     const auto add = [&](const BorderPlace& place) {
         const auto is_alike = [&](std::uint32_t other) {
             const BorderPlace& there = places[other];
@@ -97,7 +113,8 @@ std::vector<BorderPlace> border_places(const MeshState& state, const Islands& is
             if (out == dvec3{0, 0, 0}) return;
             const int count = std::max(1, static_cast<int>(std::ceil(length(b - a) / spacing)));
             for (int i = 0; i < count; ++i)
-                add({.place = state.plan.frame.out(a + (b - a) * ((i + 0.5) / count)),
+                add({.place = state.plan.frame.out(
+                         on_ground(*query, reference, a + (b - a) * ((i + 0.5) / count) - out * hair)),
                      .out = state.plan.frame.turned_out(out),
                      .island = islands.of(reference),
                      .polygon = reference});
