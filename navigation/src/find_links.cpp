@@ -16,9 +16,6 @@ namespace surefoot {
 namespace navigation {
 namespace {
 
-/// From one place two links lead to one island only if they end so far apart [m].
-constexpr double ends_apart = 4;
-
 bool is_valid(const NavigationLinkOptions& options) {
     const NavigationLinkMargins& margins = options.margins;
     const auto is_length = [](double length) { return length >= 0 && std::isfinite(length); };
@@ -48,10 +45,7 @@ public:
         Found found;
         const std::uint64_t before = proof_.ticks();
         for (LinkProposal& proposal : proposals) {
-            const auto is_alike = [&](const LinkProposal& other) {
-                return other.to_island == proposal.to_island && length(other.link.to - proposal.link.to) < ends_apart;
-            };
-            if (std::any_of(found.done.begin(), found.done.end(), is_alike) || !proposer_.is_useful(proposal)) continue;
+            if (!proposer_.is_useful(proposal, found.done)) continue;
             const auto kind = static_cast<std::size_t>(proposal.link.kind);
             ++found.report.tried[kind];
             if (!proof_.holds(proposal.link, proposal.to_island)) continue;

@@ -41,13 +41,16 @@ public:
     /// All ways on from a place of the border, those first that are likely and short.
     [[nodiscard]] std::vector<LinkProposal> from(const BorderPlace& place);
 
-    /// Would anybody want it? It joins what walking does not, or is much shorter than the walk.
-    [[nodiscard]] bool is_useful(const LinkProposal& proposal);
+    /// Would anybody want it, who has these others from the same place already? It joins what walking does not, or is
+    /// much shorter than the walk.
+    [[nodiscard]] bool is_useful(const LinkProposal& proposal, std::span<const LinkProposal> others);
 
 private:
     void add_drops(const BorderPlace& place);
     void add_crossings(const BorderPlace& place);
     void add_crossing(const BorderPlace& place, const BorderPlace& goal);
+    /// Is the walk so long that the link is wanted?
+    [[nodiscard]] bool is_far(const dvec3& from, const dvec3& to, const NavigationLink& link);
     void add(NavigationLinkKind kind, const BorderPlace& place, const dvec3& to, std::uint32_t to_island, double behind,
              double rank);
     /// Along the ground, as far as it goes and `most` at most.
