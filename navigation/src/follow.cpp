@@ -27,12 +27,18 @@ constexpr double back = 0.5;             ///< it may be pushed back along the li
 
 std::string_view sentence(NavigationFollowReason reason) noexcept {
     switch (reason) {
-        case Reason::none: return "it did not give up";
-        case Reason::off_mesh: return "the navigation mesh has no ground near the character";
-        case Reason::goal_off_mesh: return "the navigation mesh has no ground near the goal";
-        case Reason::no_path: return "no path leads from the character to the goal";
-        case Reason::stuck: return "the character ran on and got no nearer to the goal, however often it planned";
-        case Reason::link_failed: return "a link was tried again and again and did not lead to its end";
+        case Reason::none:
+            return "it did not give up";
+        case Reason::off_mesh:
+            return "the navigation mesh has no ground near the character";
+        case Reason::goal_off_mesh:
+            return "the navigation mesh has no ground near the goal";
+        case Reason::no_path:
+            return "no path leads from the character to the goal";
+        case Reason::stuck:
+            return "the character ran on and got no nearer to the goal, however often it planned";
+        case Reason::link_failed:
+            return "a link was tried again and again and did not lead to its end";
     }
     return "unknown";
 }
@@ -120,11 +126,25 @@ bool NavigationFollower::locate(const NavigationQuery& query, const CharacterSta
     return true;
 }
 
+std::optional<NavigationPoint> NavigationFollower::step_aside(const NavigationQuery& query) const {
+    const dvec3& up = query.mesh().up();
+    const dvec3 ahead = level(aim_ - place_.position, up);
+    const double size = length(ahead);
+    if (!(size > 0)) return std::nullopt;
+    // Back and to the left, the next time to the right.
+    const dvec3 left = navigation::cross(up, ahead / size);
+    const double turn = tried_ % 4 == 2 ? 1 : -1;
+    const double reach = 2 * query.mesh().agent().radius;
+    const dvec3 to = place_.position + left * (turn * reach) - ahead / size * reach;
+    return navigation::moved_along(query.state(), place_, to);
+}
+
 bool NavigationFollower::plan(const NavigationQuery& query) {
     wants_plan_ = false;
     ++plans_;
     planned_goal_ = goal_.position;
-    std::optional<NavigationPath> path = query.path(place_, goal_);
+    const std::optional<NavigationPoint> beside = tried_ > 0 && tried_ % 2 == 0 ? step_aside(query) : std::nullopt;
+    std::optional<NavigationPath> path = query.path(beside.value_or(place_), goal_);
     if (!path || (path->partial && !options_.go_near)) {
         give_up(Reason::no_path);
         return false;
@@ -132,6 +152,7 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     path_ = std::move(*path);
     // A line that keeps away from walls gets past what the shortest one snags on.
     line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
+    if (beside) line_ = navigation::line_from(place_.position, line_);
     along_ = begin_ = best_along_ = 0;
     without_ = since_check_ = 0;
     return true;
@@ -206,8 +227,7 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
     // Ice gives feet less to brake by. A fifth is kept for what is not foreseen.
     const double grip = state.footing == Footing::ground ? settings.surfaces[state.ground_surface].grip : 1;
     const double deceleration = std::max(0.8 * grip * std::min(settings.braking, settings.acceleration), 0.1);
-    double speed =
-        navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
+    double speed = navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
     // From one tick to the next it goes no farther than to where it stops.
     if (aim >= stop) speed = std::min(speed, distance / dt);
     CharacterInput input{.up = up};
@@ -222,9 +242,8 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
 bool NavigationFollower::begin_link(const NavigationQuery& query) {
     const double stop = navigation::next_stop(line_, begin_);
     if (stop - along_ > hand_over) return false;
-    const auto point = std::find_if(line_.points.begin(), line_.points.end(), [&](const NavigationLine::Point& p) {
-        return p.link && p.along >= stop - 1e-6;
-    });
+    const auto point = std::find_if(line_.points.begin(), line_.points.end(),
+                                    [&](const NavigationLine::Point& p) { return p.link && p.along >= stop - 1e-6; });
     if (point == line_.points.end() || point->along > stop + 1e-6) return false;
     const std::span<const NavigationLink> links = query.mesh().links();
     if (*point->link >= links.size()) {

@@ -124,6 +124,7 @@ public:
 private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
+    [[nodiscard]] std::optional<NavigationPoint> step_aside(const NavigationQuery& query) const;
     void move_goal(const NavigationQuery& query, const NavigationPoint& goal);
     void move_along(const NavigationQuery& query);
     void watch(const CharacterState& state, double dt);
