@@ -55,6 +55,11 @@ void NavigationFollower::stop() noexcept {
     place_ = {};
 }
 
+void NavigationFollower::arrive() noexcept {
+    if (status_ == Status::following) status_ = Status::arrived;
+    drives_ = false;
+}
+
 void NavigationFollower::go(const NavigationQuery& query, const dvec3& goal) {
     const std::optional<NavigationPoint> found =
         query.nearest(goal, options_.beside_mesh, std::max(options_.beside_mesh, query.mesh().agent().height));

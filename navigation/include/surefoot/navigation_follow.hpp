@@ -99,6 +99,9 @@ public:
     /// It stays where it is, sent nowhere. On a link that is where it happens to be.
     void stop() noexcept;
 
+    /// Counts as having arrived where it is: the goal is taken, or near enough for you.
+    void arrive() noexcept;
+
     /// What to give to the next `step` of `dt` [s]. Once it has arrived or given up, and for a `dt` that is not
     /// positive: to stand still.
     [[nodiscard]] CharacterInput input(const NavigationQuery& query, const CharacterState& state,
