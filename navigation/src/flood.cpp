@@ -45,6 +45,13 @@ struct Landing {
     Cell cell;
 };
 
+/// A link that was followed from a cell to a cell.
+struct LinkWay {
+    std::size_t link = 0;
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+};
+
 class Flooder {
 public:
     Flooder(const World& world, const CharacterSettings& settings, const NavigationMesh& mesh,
@@ -75,6 +82,9 @@ public:
             }
         }
         mark_returns();
+        flood_.links_used.resize(mesh_.links().size(), false);
+        for (const LinkWay& way : link_ways_)
+            if (flood_.cells[way.from].returns && flood_.cells[way.to].returns) flood_.links_used[way.link] = true;
         flood_.cell = side_;
         return std::move(flood_);
     }
@@ -174,7 +184,9 @@ private:
                 CharacterState state{.position = link.to + frame_.y * (mesh_.agent().feet + mesh_.agent().climb / 2)};
                 const Landing landing =
                     walk(state, column_of(frame_.turned_in(link.to - frame_.origin)), static_cast<std::uint32_t>(cell));
-                if (landing.arrived) arrive(landing);
+                if (!landing.arrived) continue;
+                arrive(landing);
+                link_ways_.push_back({found->second, landing.from, ways_.back().second});
             }
         }
     }
@@ -224,6 +236,7 @@ private:
     std::unordered_map<Column, std::vector<std::uint32_t>, ColumnHash> columns_;
     std::unordered_multimap<Column, std::size_t, ColumnHash> links_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ways_;  // from a cell to a cell
+    std::vector<LinkWay> link_ways_;
     NavigationFlood flood_;
 };
 

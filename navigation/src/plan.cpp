@@ -51,8 +51,15 @@ Extent extent_of(const World& world, std::uint64_t layers, const Frame& frame) {
     return extent;
 }
 
+bool is_usable(const NavigationAgent& agent) {
+    return agent.radius > 0 && agent.height > 0 && agent.climb >= 0 && agent.slope_limit_deg >= 0 &&
+           agent.slope_limit_deg <= 89 && is_finite({agent.radius, agent.height, agent.climb}) &&
+           std::isfinite(agent.feet);
+}
+
 std::optional<Error> fault_of(const NavigationOptions& options) {
     if (!is_finite(options.up) || length(options.up) == 0) return invalid("navigation: `up` has no direction");
+    if (options.agent && !is_usable(*options.agent)) return invalid("navigation: the agent given is out of range");
     if (!(options.cell_size >= 0) || !(options.cell_height >= 0) || !std::isfinite(options.cell_size) ||
         !std::isfinite(options.cell_height))
         return invalid("navigation: a cell's size is not a length; leave it 0 to have it chosen");
@@ -93,7 +100,7 @@ Expected<Plan> make_plan(const World& world, const CharacterSettings& settings, 
     if (!is_valid(settings)) return tl::unexpected(invalid("navigation: the character's settings are out of range"));
     if (auto fault = fault_of(options)) return tl::unexpected(*std::move(fault));
     Plan plan;
-    plan.agent = navigation_agent(settings);
+    plan.agent = options.agent.value_or(navigation_agent(settings));
     plan.cell_size = options.cell_size > 0 ? options.cell_size : plan.agent.radius / 4;
     plan.cell_height = options.cell_height > 0 ? options.cell_height : plan.cell_size / 2;
     plan.tile_cells = options.tile_cells;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -78,6 +79,9 @@ private:
 struct NavigationOptions {
     /// Against gravity, for the whole mesh; any length but zero.
     dvec3 up{0, 1, 0};
+
+    /// Instead of what the settings need: for a trial of what becomes of paths when mesh and feet do not agree.
+    std::optional<NavigationAgent> agent{};
 
     /// The side of a cell in which ground is sampled [m, > 0]; 0: a quarter of the agent's radius. Too large and narrow
     /// passages close; half of it takes four times as long.

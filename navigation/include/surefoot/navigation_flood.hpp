@@ -37,6 +37,9 @@ struct NavigationFlood {
     std::size_t moves = 0;  ///< that were simulated
     bool whole = true;      ///< false if it ended at `most_cells`
 
+    /// Of each of the mesh's links: both its ends are places that the feet get to and come back from.
+    std::vector<bool> links_used;
+
     /// Of all cells from which one can return [m^2].
     [[nodiscard]] double area() const noexcept;
 };

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <unordered_set>
+
+#include <surefoot/navigation_check.hpp>
+#include <surefoot/navigation_query.hpp>
+
+namespace surefoot {
+inline namespace v0 {
+namespace {
+
+constexpr std::size_t most_failed = 32;
+
+/// Which of the links that the feet use begin and end on ground that is open.
+void count_links(const NavigationMesh& mesh, const NavigationFlood& flood, NavigationCheck& check) {
+    const NavigationQuery query(mesh, 16);
+    const double aside = 2 * mesh.agent().radius;
+    const double vertical = std::max(mesh.agent().climb, mesh.agent().radius);
+    for (std::size_t i = 0; i < mesh.links().size(); ++i) {
+        if (!flood.links_used[i]) continue;
+        const NavigationLink& link = mesh.links()[i];
+        ++check.links_of_feet[static_cast<std::size_t>(link.kind)];
+        if (query.nearest(link.from, aside, vertical) && query.nearest(link.to, aside, vertical))
+            ++check.links_kept[static_cast<std::size_t>(link.kind)];
+    }
+}
+
+struct Walk {
+    NavigationPoint from;
+    NavigationPoint to;
+    WalkReport report;
+};
+
+std::vector<Walk> walk_all(const World& world, const CharacterSettings& settings, const NavigationMesh& mesh,
+                           const NavigationCheckOptions& options) {
+    std::vector<Walk> walks(options.walks);
+    {
+        const NavigationQuery query(mesh);
+        std::uint64_t seed = options.seed << 32;
+        for (Walk& walk : walks) {
+            const auto from = query.random(seed++);
+            const auto to = query.random(seed++);
+            if (!from || !to) return {};
+            walk.from = *from;
+            walk.to = *to;
+        }
+    }
+    std::atomic<std::size_t> next = 0;
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto work = [&] {
+        const NavigationQuery query(mesh);
+        for (std::size_t i = next++; i < walks.size(); i = next++) {
+            walks[i].report =
+                walk_path(world, settings, query, walks[i].from.position, walks[i].to.position, options.walk);
+            const std::lock_guard lock(telling);
+            options.progress(NavigationCheckPart::walks, ++done, walks.size());
+        }
+    };
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
+    work();
+    helpers.clear();  // waits for them
+    return walks;
+}
+
+void count_walks(std::span<const Walk> walks, double speed, NavigationCheck& check) {
+    check.walks = walks.size();
+    for (const Walk& walk : walks) {
+        check.links_walked += walk.report.links;
+        if (!walk.report.arrived) {
+            if (check.failed.size() < most_failed)
+                check.failed.push_back({walk.from.position, walk.to.position, walk.report});
+            continue;
+        }
+        ++check.arrived;
+        check.length += walk.report.planned;
+        check.seconds += walk.report.seconds;
+        // Of a walk of a few steps the start and the stop are most.
+        constexpr double long_enough = 5;
+        if (walk.report.planned >= long_enough)
+            check.slowest = std::max(check.slowest, walk.report.seconds * speed / walk.report.planned);
+    }
+}
+
+}  // namespace
+
+bool NavigationCheck::lost_a_kind() const noexcept {
+    for (std::size_t kind = 0; kind < std::size(links_kept); ++kind)
+        if (links_of_feet[kind] > 0 && links_kept[kind] == 0) return true;
+    return false;
+}
+
+std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec3> places) noexcept {
+    const NavigationQuery query(mesh);
+    std::optional<dvec3> best;
+    std::size_t most = 0;
+    std::unordered_set<std::uint32_t> known;
+    const auto consider = [&](const std::optional<NavigationPoint>& point) {
+        if (!point || known.contains(point->polygon.id)) return;
+        const std::vector<NavigationPolygon> reached = query.reachable(*point);
+        for (const NavigationPolygon polygon : reached) known.insert(polygon.id);
+        if (reached.size() <= most) return;
+        most = reached.size();
+        best = point->position;
+    };
+    for (const dvec3& place : places) {
+        auto point = query.under(place, 2 * mesh.agent().height, mesh.agent().height);
+        if (!point) point = query.nearest(place, mesh.agent().radius * 4, mesh.agent().height);
+        consider(point);
+    }
+    if (best) return best;
+    std::vector<NavigationOutline> outlines(mesh.report().polygons);
+    outlines.resize(std::min(mesh.outlines(outlines), outlines.size()));
+    for (const NavigationOutline& outline : outlines) {
+        dvec3 middle{0, 0, 0};
+        for (std::uint32_t i = 0; i < outline.corners; ++i)
+            middle += outline.corner[i] / static_cast<double>(outline.corners);
+        if (!outline.taken_out) consider(query.nearest(middle, mesh.agent().radius, mesh.agent().height));
+    }
+    return best;
+}
+
+NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, const CharacterSettings& settings,
+                                  const dvec3& start, const NavigationCheckOptions& options, NavigationCheck* check) {
+    const auto told = [&](NavigationCheckPart part) {
+        return [&options, part](std::size_t done, std::size_t all) { options.progress(part, done, all); };
+    };
+    const auto link_progress = told(NavigationCheckPart::links);
+    NavigationLinkOptions link_options = options.links;
+    link_options.threads = options.threads;
+    link_options.regions = options.mesh.regions;
+    link_options.progress = NavigationProgress(link_progress);
+    NavigationLinkReport link_report;
+    const std::vector<NavigationLink> links = find_links(world, settings, mesh, link_options, &link_report);
+    // Too many for a tile's references is the one way to fail, and then there are none.
+    if (!mesh.set_links(links)) static_cast<void>(mesh.set_links({}));
+
+    const auto flood_progress = told(NavigationCheckPart::flood);
+    NavigationFloodOptions flood_options = options.flood;
+    flood_options.threads = options.threads;
+    flood_options.progress = NavigationProgress(flood_progress);
+    const NavigationFlood flood = flood_by_feet(world, settings, mesh, std::span(&start, 1), flood_options);
+    const NavigationAgreement agreement = keep_reached(mesh, flood, start);
+    if (check != nullptr) {
+        check->links = link_report;
+        check->flood_cells = flood.cells.size();
+        check->flood_whole = flood.whole;
+        check->agreement = agreement;
+        count_links(mesh, flood, *check);
+    }
+    return agreement;
+}
+
+Expected<NavigationCheck> check_navigation(const World& world, const CharacterSettings& settings,
+                                           std::span<const dvec3> starts, const NavigationCheckOptions& options) {
+    const auto build_progress = [&](std::size_t done, std::size_t all) {
+        options.progress(NavigationCheckPart::build, done, all);
+    };
+    NavigationOptions mesh_options = options.mesh;
+    mesh_options.threads = options.threads;
+    mesh_options.progress = NavigationProgress(build_progress);
+    Expected<NavigationMesh> mesh = NavigationMesh::build(world, settings, mesh_options);
+    if (!mesh) return tl::unexpected(mesh.error());
+    const std::optional<dvec3> start = best_start(*mesh, starts);
+    if (!start)
+        return tl::unexpected(Error{.code = ErrorCode::invalid,
+                                    .text =
+                                        "navigation: nobody can stand anywhere in this level; look at its scale and at "
+                                        "the character's size and slope limit",
+                                    .file = {}});
+    NavigationCheck check;
+    check.mesh = mesh->report();
+    check.least_covered = options.least_covered;
+    static_cast<void>(prove_by_feet(*mesh, world, settings, *start, options, &check));
+    count_walks(walk_all(world, settings, *mesh, options), options.walk.follow.speed, check);
+    return check;
+}
+
+}  // namespace v0
+}  // namespace surefoot
