@@ -33,7 +33,7 @@ struct NavigationAgent {
 /// A kind of ground. Area 0 is all ground about which nothing is said.
 struct NavigationArea {
     std::string name;
-    double cost = 1;      ///< a metre on it is as long as so many on plain ground [>= 1]
+    double cost = 1;      ///< a metre on it is as long as so many on plain ground [1 to 1e6]
     bool closed = false;  ///< no path goes over it: a door that is shut; `NavigationMesh::set_area` opens it
 };
 
