@@ -87,14 +87,18 @@ private:
     double distance_ = 0;
 };
 
-bool is_finite(const dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+/// Places that floats can square.
+bool is_place(const dvec3& v) {
+    return std::abs(v.x) <= navigation::largest_coordinate && std::abs(v.y) <= navigation::largest_coordinate &&
+           std::abs(v.z) <= navigation::largest_coordinate;
 }
 
 }  // namespace
 
 std::optional<NavigationPoint> NavigationQuery::under(const dvec3& place, double below, double above) const {
-    if (!is_finite(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    if (!is_place(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    below = std::min(below, navigation::largest_coordinate);
+    above = std::min(above, navigation::largest_coordinate);
     state_->refresh_filter();
     const vec3 inside = state_->frame().in(place);
     // What the height detail adds may lie outside of the box around a polygon's corners.
@@ -108,30 +112,75 @@ std::optional<NavigationPoint> NavigationQuery::under(const dvec3& place, double
     return state_->point(beneath.found, &beneath.ground.x);
 }
 
+namespace {
+
+/// Of all polygons that are asked, the point that is nearest to a place.
+class Nearest : public dtPolyQuery {
+public:
+    Nearest(const dtNavMeshQuery& query, const vec3& place) : query_(query), place_(place) {}
+
+    void process(const dtMeshTile*, dtPoly** polygons, dtPolyRef* references, int count) override {
+        for (int i = 0; i < count; ++i) {
+            vec3 point{0, 0, 0};
+            if (polygons[i]->getType() != DT_POLYTYPE_GROUND ||
+                dtStatusFailed(query_.closestPointOnPoly(references[i], &place_.x, &point.x, nullptr)))
+                continue;
+            const dvec3 off = dvec3(point) - dvec3(place_);
+            const double distance = navigation::dot(off, off);
+            if (found != 0 && distance >= distance_) continue;
+            found = references[i];
+            distance_ = distance;
+            ground = point;
+        }
+    }
+
+    dtPolyRef found = 0;
+    vec3 ground{0, 0, 0};
+
+private:
+    const dtNavMeshQuery& query_;
+    vec3 place_;
+    double distance_ = 0;
+};
+
+}  // namespace
+
 std::optional<NavigationPoint> NavigationQuery::nearest(const dvec3& place, double aside, double vertical) const {
-    if (!is_finite(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
+    if (!is_place(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
     state_->refresh_filter();
+    const navigation::Plan& plan = state_->ground().plan;
     const vec3 inside = state_->frame().in(place);
-    const std::array<float, 3> half{static_cast<float>(aside), static_cast<float>(vertical), static_cast<float>(aside)};
-    dtPolyRef polygon = 0;
-    std::array<float, 3> point{};
-    if (dtStatusFailed(
-            state_->detour->findNearestPoly(&inside.x, half.data(), &state_->filter, &polygon, point.data())) ||
-        polygon == 0)
+    // Detour goes from tile to tile through the whole box, so it gets no more of it than there are tiles.
+    const dvec3 least = dvec3{0, plan.low, 0} - plan.tile_size;
+    const dvec3 most = dvec3{plan.tiles_x * plan.tile_size, plan.high, plan.tiles_z * plan.tile_size} + plan.tile_size;
+    vec3 middle{0, 0, 0};
+    vec3 half{0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach = axis == 1 ? vertical : aside;
+        const double low = std::max(least[axis], inside[axis] - reach);
+        const double high = std::min(most[axis], inside[axis] + reach);
+        if (low > high) return std::nullopt;
+        middle[axis] = static_cast<float>((low + high) / 2);
+        half[axis] = static_cast<float>((high - low) / 2);
+    }
+    Nearest nearest(*state_->detour, inside);
+    if (dtStatusFailed(state_->detour->queryPolygons(&middle.x, &half.x, &state_->filter, &nearest)) ||
+        nearest.found == 0)
         return std::nullopt;
-    const dvec3 found = state_->frame().out(point.data());
+    const dvec3 found = state_->frame().out(&nearest.ground.x);
     const dvec3 off = state_->frame().turned_in(found - place);
     // Detour looks for polygons that reach into the box; their nearest points may lie outside.
     if (std::abs(off.x) > aside + 1e-3 || std::abs(off.z) > aside + 1e-3 || std::abs(off.y) > vertical + 1e-3)
         return std::nullopt;
-    return NavigationPoint{found, {polygon}};
+    return NavigationPoint{found, {nearest.found}};
 }
 
 bool NavigationQuery::begin_search(const NavigationPoint& from, const NavigationPoint& to) {
     state_->refresh_filter();
     state_->search_from = from;
     state_->search_to = to;
-    if (!state_->knows(from.polygon) || !state_->knows(to.polygon)) return false;
+    if (!state_->knows(from.polygon) || !state_->knows(to.polygon) || !is_place(from.position) || !is_place(to.position))
+        return false;
     const vec3 start = state_->frame().in(from.position);
     const vec3 end = state_->frame().in(to.position);
     return !dtStatusFailed(
@@ -189,7 +238,7 @@ std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from,
 
 std::optional<NavigationRay> NavigationQuery::ray(const NavigationPoint& from, const dvec3& to) const {
     state_->refresh_filter();
-    if (!state_->knows(from.polygon) || !is_finite(to)) return std::nullopt;
+    if (!state_->knows(from.polygon) || !is_place(from.position) || !is_place(to)) return std::nullopt;
     const vec3 start = state_->frame().in(from.position);
     const vec3 end = state_->frame().in(to);
     dtRaycastHit hit{};
