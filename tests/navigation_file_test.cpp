@@ -93,7 +93,8 @@ TEST(NavigationFile, DoorsAndPolygonsTakenOutAreKeptAsTheyAre) {
 
 using NavigationFileTest = FileTest;
 
-// Would catch a mapping that is shared, a section that loses the triangles, and one that lies where Detour cannot use it.
+// Would catch a mapping that is shared, a section that loses the triangles, and one that lies where Detour cannot use
+// it.
 TEST_F(NavigationFileTest, AFileIsMappedAndNeverWrittenInto) {
     const NavigationMesh mesh = built_yard();
     const Mesh level = yard().mesh();

@@ -83,24 +83,24 @@ inline const std::array<NavigationArea, 3>& yard_areas() {
 /// With mud, a shut gate, and a drop from the platform.
 inline NavigationMesh built_yard(int threads = 2) {
     static const std::array<std::uint32_t, 2> surface_areas{0, 1};
-    static const std::array<NavigationRegion, 1> regions{
-        NavigationRegion{.name = "gate",
-                         .pose = {.position = {10.25, 0, 1}},
-                         .half_extents = {0.6, 1, 1},
-                         .kind = NavigationRegion::Kind::area,
-                         .area = 2}};
+    static const std::array<NavigationRegion, 1> regions{NavigationRegion{.name = "gate",
+                                                                          .pose = {.position = {10.25, 0, 1}},
+                                                                          .half_extents = {0.6, 1, 1},
+                                                                          .kind = NavigationRegion::Kind::area,
+                                                                          .area = 2}};
     NavigationOptions options = quick();
     options.areas = yard_areas();
     options.surface_areas = surface_areas;
     options.regions = regions;
     options.threads = threads;
     NavigationMesh mesh = built(yard().world(), options);
-    const std::array<NavigationLink, 1> links{NavigationLink{.from = {5, 2, 3.6},
-                                                             .to = {5, 0, 1.5},
-                                                             .takeoff = {5, 2, 3},
-                                                             .kind = NavigationLinkKind::drop,
-                                                             .seconds = 1.2,
-                                                             .inputs = {{.wish = {0, 0, -3}, .ticks = 50}, {.ticks = 22}}}};
+    const std::array<NavigationLink, 1> links{
+        NavigationLink{.from = {5, 2, 3.6},
+                       .to = {5, 0, 1.5},
+                       .takeoff = {5, 2, 3},
+                       .kind = NavigationLinkKind::drop,
+                       .seconds = 1.2,
+                       .inputs = {{.wish = {0, 0, -3}, .ticks = 50}, {.ticks = 22}}}};
     const auto left_out = mesh.set_links(links);
     EXPECT_TRUE(left_out.has_value());
     EXPECT_EQ(left_out.value_or(9), 0U);

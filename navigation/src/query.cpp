@@ -57,14 +57,18 @@ namespace {
 /// Of all polygons that lie under or over a place, the one whose ground is nearest below it, else nearest above.
 class Beneath : public dtPolyQuery {
 public:
-    Beneath(const dtNavMeshQuery& query, const vec3& place, double below, double above)
-        : query_(query), place_(place), below_(below), above_(above) {}
+    Beneath(const dtNavMeshQuery& query, const vec3& place, double below, double above, double hair)
+        : query_(query), place_(place), below_(below), above_(above), hair_(hair) {}
 
     void process(const dtMeshTile*, dtPoly** polygons, dtPolyRef* references, int count) override {
         for (int i = 0; i < count; ++i) {
             if (polygons[i]->getType() != DT_POLYTYPE_GROUND) continue;
-            float height = 0;
-            if (dtStatusFailed(query_.getPolyHeight(references[i], &place_.x, &height))) continue;
+            // A place on the side that two polygons share may lie in neither, to floats; a hair aside is under it, too.
+            vec3 point{0, 0, 0};
+            if (dtStatusFailed(query_.closestPointOnPoly(references[i], &place_.x, &point.x, nullptr)) ||
+                !(std::abs(point.x - place_.x) <= hair_ && std::abs(point.z - place_.z) <= hair_))
+                continue;
+            const float height = point.y;
             const double drop = static_cast<double>(place_.y) - height;
             if (drop > below_ || -drop > above_) continue;
             // What lies above counts as farther than all that lies below.
@@ -84,28 +88,24 @@ private:
     vec3 place_;
     double below_;
     double above_;
+    double hair_;
     double distance_ = 0;
 };
-
-/// Places that floats can square.
-bool is_place(const dvec3& v) {
-    return std::abs(v.x) <= navigation::largest_coordinate && std::abs(v.y) <= navigation::largest_coordinate &&
-           std::abs(v.z) <= navigation::largest_coordinate;
-}
 
 }  // namespace
 
 std::optional<NavigationPoint> NavigationQuery::under(const dvec3& place, double below, double above) const {
-    if (!is_place(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    if (!navigation::is_place(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
     below = std::min(below, navigation::largest_coordinate);
     above = std::min(above, navigation::largest_coordinate);
     state_->refresh_filter();
     const vec3 inside = state_->frame().in(place);
     // What the height detail adds may lie outside of the box around a polygon's corners.
     const float slack = static_cast<float>(state_->mesh->agent().climb);
-    const std::array<float, 3> half{1e-3F, static_cast<float>((below + above) / 2) + slack, 1e-3F};
+    const auto hair = static_cast<float>(state_->ground().plan.cell_size / 100);
+    const std::array<float, 3> half{hair, static_cast<float>((below + above) / 2) + slack, hair};
     const std::array<float, 3> middle{inside.x, inside.y + static_cast<float>((above - below) / 2), inside.z};
-    Beneath beneath(*state_->detour, inside, below, above);
+    Beneath beneath(*state_->detour, inside, below, above, hair);
     if (dtStatusFailed(state_->detour->queryPolygons(middle.data(), half.data(), &state_->filter, &beneath)) ||
         !beneath.found)
         return std::nullopt;
@@ -146,7 +146,7 @@ private:
 }  // namespace
 
 std::optional<NavigationPoint> NavigationQuery::nearest(const dvec3& place, double aside, double vertical) const {
-    if (!is_place(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
+    if (!navigation::is_place(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
     state_->refresh_filter();
     const navigation::Plan& plan = state_->ground().plan;
     const vec3 inside = state_->frame().in(place);
@@ -179,7 +179,8 @@ bool NavigationQuery::begin_search(const NavigationPoint& from, const Navigation
     state_->refresh_filter();
     state_->search_from = from;
     state_->search_to = to;
-    if (!state_->knows(from.polygon) || !state_->knows(to.polygon) || !is_place(from.position) || !is_place(to.position))
+    if (!state_->knows(from.polygon) || !state_->knows(to.polygon) || !navigation::is_place(from.position) ||
+        !navigation::is_place(to.position))
         return false;
     const vec3 start = state_->frame().in(from.position);
     const vec3 end = state_->frame().in(to.position);
@@ -234,22 +235,6 @@ std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from,
     if (!self.begin_search(from, to)) return std::nullopt;
     while (self.advance_search(1024)) continue;
     return self.finish_search();
-}
-
-std::optional<NavigationRay> NavigationQuery::ray(const NavigationPoint& from, const dvec3& to) const {
-    state_->refresh_filter();
-    if (!state_->knows(from.polygon) || !is_place(from.position) || !is_place(to)) return std::nullopt;
-    const vec3 start = state_->frame().in(from.position);
-    const vec3 end = state_->frame().in(to);
-    dtRaycastHit hit{};
-    if (dtStatusFailed(state_->detour->raycast(from.polygon.id, &start.x, &end.x, &state_->filter, 0, &hit, 0)))
-        return std::nullopt;
-    NavigationRay ray;
-    ray.hit = hit.t < 1;
-    ray.t = ray.hit ? hit.t : 1;
-    ray.position = from.position + (to - from.position) * ray.t;
-    if (ray.hit) ray.normal = state_->frame().turned_out({hit.hitNormal[0], hit.hitNormal[1], hit.hitNormal[2]});
-    return ray;
 }
 
 }  // namespace v0

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <DetourNavMeshQuery.h>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace surefoot::navigation {
 struct NavQueryFreed {
     void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
 };
+
+/// Is it a place that floats can square?
+[[nodiscard]] inline bool is_place(const dvec3& v) {
+    return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate &&
+           std::abs(v.z) <= largest_coordinate;
+}
 
 struct QueryState {
     const NavigationMesh* mesh = nullptr;
