@@ -116,6 +116,21 @@ TEST(NavigationBuild, ARegionForbidsGroundAndOneThatRequiresItSaysWhenThereIsNon
     EXPECT_NE(none.error().text.find("'flowers'"), std::string::npos) << none.error().text;
 }
 
+TEST(NavigationBuild, MarkersOfALevelForbidAndRequireGround) {
+    const std::array<Marker, 3> markers{
+        Marker{.name = "pit", .kind = "navigation_forbid", .extras = {}, .position = {6, 0, 3}, .scale = {-1, 1, 4}},
+        {.name = "spawn", .kind = "spawn", .extras = {}},
+        {.name = "exit", .kind = "navigation_require", .extras = {}, .position = {10, 0, 3}}};
+    const std::vector<NavigationRegion> regions = navigation_regions(markers);
+    ASSERT_EQ(regions.size(), 2U);
+    NavigationOptions options = quick();
+    options.regions = regions;
+    EXPECT_FALSE(leads(built(Scene().floor(0, 12, 0, 6).world(), options), {2, 0, 3}, {10, 0, 3}));
+    const auto without = NavigationMesh::build(Scene().floor(0, 8, 0, 6).world(), {}, options);
+    ASSERT_FALSE(without.has_value());
+    EXPECT_NE(without.error().text.find("'exit'"), std::string::npos) << without.error().text;
+}
+
 // Would catch costs that are not handed to the search, or areas that are off by one.
 TEST(NavigationBuild, DearGroundIsGoneAroundWhenThatIsCheaper) {
     const World world = Scene()

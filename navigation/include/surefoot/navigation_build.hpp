@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <surefoot/bounds.hpp>
 #include <surefoot/character_settings.hpp>
 #include <surefoot/math.hpp>
+#include <surefoot/notes.hpp>
 #include <surefoot/pose.hpp>
 #include <surefoot/world.hpp>
 
@@ -50,6 +52,10 @@ struct NavigationRegion {
     Kind kind = Kind::forbid;
     std::uint32_t area = 0;
 };
+
+/// What a level's markers say about its ground: a marker of the kind `navigation_forbid` or `navigation_require` is the
+/// box that reaches from its place as far as its scale to each side, as an empty drawn as a cube is.
+[[nodiscard]] std::vector<NavigationRegion> navigation_regions(std::span<const Marker> markers);
 
 /// Any callable `void(std::size_t done, std::size_t all)`, told of tiles as they are finished. Non-owning; called by
 /// one thread at a time; may not throw.
