@@ -36,6 +36,20 @@ if(TARGET surefoot_import)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/import/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.hpp")
 endif()
+
+set(SUREFOOT_NAVIGATION_STATIC FALSE)
+if(TARGET surefoot_navigation)
+  set_target_properties(surefoot_navigation PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install_component(navigation surefoot_navigation)
+  # A static library leaves it to whoever links it to link Recast and Detour too.
+  get_target_property(type surefoot_navigation TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    set(SUREFOOT_NAVIGATION_STATIC TRUE)
+    install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindRecast.cmake" DESTINATION ${package_dir})
+  endif()
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/navigation/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.hpp")
+endif()
 if(TARGET surefoot_importer)
   install(TARGETS surefoot_importer RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/surefoot)
 endif()

@@ -24,6 +24,7 @@
 #include <surefoot/overlap.hpp>
 #include <surefoot/pair.hpp>
 #include <surefoot/pose.hpp>
+#include <surefoot/private_section.hpp>
 #include <surefoot/query.hpp>
 #include <surefoot/ray.hpp>
 #include <surefoot/shapes.hpp>

@@ -12,6 +12,10 @@ Expected<std::size_t> NavigationMesh::set_links(std::span<const NavigationLink> 
         return tl::unexpected(Error{.code = ErrorCode::invalid,
                                     .text = "navigation: a mesh that was opened keeps the links it has; build it anew",
                                     .file = {}});
+    if (!std::all_of(links.begin(), links.end(), navigation::is_sound))
+        return tl::unexpected(Error{.code = ErrorCode::invalid,
+                                    .text = "navigation: a link has a number that is not finite or far too large",
+                                    .file = {}});
     std::vector<bool> touched(state_->tile_meshes.size(), false);
     const auto touch = [&] {
         for (const NavigationLink& link : state_->links)

@@ -109,8 +109,8 @@ std::span<const NavigationLink> NavigationMesh::links() const noexcept {
 }
 
 bool NavigationMesh::set_area(std::uint32_t area, bool closed, double cost) noexcept {
-    const bool known = area < state_->areas.size() && cost >= 1 && std::isfinite(cost);
-    assert(known && "NavigationMesh::set_area: an area that is there, and a cost of at least 1");
+    const bool known = area < state_->areas.size() && cost >= 1 && cost <= navigation::most_cost;
+    assert(known && "NavigationMesh::set_area: an area that is there, and a cost from 1 to 1e6");
     if (!known) return false;
     state_->areas[area].closed = closed;
     state_->areas[area].cost = cost;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <surefoot/navigation_mesh.hpp>
+#include <surefoot/private_section.hpp>
 
 #include "plan.hpp"
 #include "tile_mesh.hpp"
@@ -36,7 +37,8 @@ struct MeshState {
     std::vector<NavigationLink> links;
     /// By tile, x first. Empty for a mesh that was opened; Detour's tiles alone serve queries.
     std::vector<TileMesh> tile_meshes;
-    /// The bytes that Detour's tiles lie in, where a file was mapped or read; else Detour owns them.
+    /// What Detour's tiles lie in where a file was mapped, and where bytes were read; else Detour owns them.
+    std::optional<PrivateSection> section;
     std::vector<std::byte> bytes;
     DetourMesh detour;
     double seconds = 0;
@@ -50,6 +52,9 @@ struct MeshState {
 
 /// An empty Detour mesh for the plan. Fails with `limit` when references of 32 bits cannot name what it needs.
 [[nodiscard]] Expected<DetourMesh> make_detour(const Plan& plan, std::size_t most_polygons);
+
+/// Are all numbers of a link some that a body can have?
+[[nodiscard]] bool is_sound(const NavigationLink& link);
 
 /// Which links a tile is put in with.
 enum class Connect : std::uint8_t { links, nothing };

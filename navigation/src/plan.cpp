@@ -74,8 +74,9 @@ std::optional<Error> fault_of(const NavigationOptions& options) {
                  .file = {}}};
     const std::size_t known = std::max<std::size_t>(options.areas.size(), 1);
     for (const NavigationArea& area : options.areas)
-        if (!(area.cost >= 1) || !std::isfinite(area.cost))
-            return invalid("navigation: area '" + area.name + "' costs less than plain ground; 1 is the least");
+        if (!(area.cost >= 1 && area.cost <= most_cost))
+            return invalid("navigation: area '" + area.name +
+                           "' costs less than plain ground or too much; 1 is the least, 1e6 the most");
     for (const std::uint32_t area : options.surface_areas)
         if (area >= known)
             return invalid("navigation: a surface is of area " + std::to_string(area) + ", which is not there");
@@ -91,6 +92,36 @@ std::optional<Error> fault_of(const NavigationOptions& options) {
 }
 
 }  // namespace
+
+std::optional<std::string> fault_of(const Plan& plan) {
+    const Frame& frame = plan.frame;
+    for (const dvec3* axis : {&frame.x, &frame.y, &frame.z})
+        if (!is_finite(*axis) || std::abs(length(*axis) - 1) > 1e-9) return "its axes are not of unit length";
+    if (length(cross(frame.x, frame.y) - frame.z) > 1e-9) return "its axes are not at right angles";
+    const NavigationAgent& agent = plan.agent;
+    const auto is_length = [](double value) { return value > 0 && value <= largest_coordinate; };
+    if (!is_length(agent.radius) || !is_length(agent.height) || !(agent.climb >= 0) || !(agent.climb < agent.height) ||
+        !(agent.slope_limit_deg >= 0 && agent.slope_limit_deg < 90) || !(std::abs(agent.feet) <= largest_coordinate))
+        return "the agent is no size that a body can have";
+    if (!is_length(plan.cell_size) || !is_length(plan.cell_height)) return "a cell's size is not a length";
+    if (plan.cell_height > 4 * plan.cell_size)
+        return "a cell is more than four times as high as it is wide, and steps are not told from walls; take a "
+               "smaller "
+               "`cell_height`";
+    if (agent.radius > 256 * plan.cell_size || agent.height > 8192 * plan.cell_height)
+        return "the agent is more than 256 cells wide or 8192 cells high; take larger cells";
+    if (plan.tile_cells < 16 || plan.tile_cells > 1024) return "a tile has 16 to 1024 cells a side";
+    if (plan.tile_size != plan.cell_size * plan.tile_cells) return "a tile's size is not that of its cells";
+    if (plan.tiles_x < 1 || plan.tiles_z < 1 ||
+        static_cast<std::size_t>(plan.tiles_x) * static_cast<std::size_t>(plan.tiles_z) > most_tiles)
+        return "it has no tiles, or more than 16384";
+    const double reach = std::max(plan.tiles_x, plan.tiles_z) * plan.tile_size;
+    if (!is_finite(frame.origin) || length(frame.origin) > 2 * largest_coordinate ||
+        !(reach <= 4 * largest_coordinate) || !(plan.low < plan.high) ||
+        !(std::abs(plan.low) <= 4 * largest_coordinate) || !(std::abs(plan.high) <= 4 * largest_coordinate))
+        return "it reaches farther than 1e9 m";
+    return std::nullopt;
+}
 
 int Plan::border_cells() const {
     return static_cast<int>(std::ceil(agent.radius / cell_size)) + 3;
@@ -114,10 +145,9 @@ Expected<Plan> make_plan(const World& world, const CharacterSettings& settings, 
     const dvec3 size = extent.max - extent.min;
     plan.low = static_cast<float>(-size.y / 2 - plan.cell_height);
     plan.high = static_cast<float>(size.y / 2 + plan.agent.height + plan.cell_height);
-    constexpr double most_tiles = 1 << 14;
     const double tiles_x = std::max(1.0, std::ceil(size.x / plan.tile_size));
     const double tiles_z = std::max(1.0, std::ceil(size.z / plan.tile_size));
-    if (!(tiles_x * tiles_z <= most_tiles))
+    if (!(tiles_x * tiles_z <= double{most_tiles}))
         return tl::unexpected(
             Error{.code = ErrorCode::limit,
                   .text = "navigation: a level of " + std::to_string(size.x) + " by " + std::to_string(size.z) +
@@ -126,6 +156,7 @@ Expected<Plan> make_plan(const World& world, const CharacterSettings& settings, 
                   .file = {}});
     plan.tiles_x = static_cast<std::int32_t>(tiles_x);
     plan.tiles_z = static_cast<std::int32_t>(tiles_z);
+    if (auto fault = fault_of(plan)) return tl::unexpected(invalid("navigation: " + *fault));
     return plan;
 }
 

@@ -1,6 +1,8 @@
 // What building has decided before the first tile: the frame, the grid of tiles, and the agent in cells.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <surefoot/error.hpp>
@@ -39,6 +41,12 @@ struct GroundTriangle {
     return static_cast<std::uint8_t>(area + 1);
 }
 inline constexpr std::size_t most_areas = 60;
+inline constexpr double most_cost = 1e6;             ///< of an area; floats still add up what paths cost
+inline constexpr double largest_coordinate = 1e9;    ///< as everywhere in the library [m]
+inline constexpr std::size_t most_tiles = 1U << 14;  ///< leaves 8 bits of a reference to polygons
+
+/// Why a plan cannot be, in words, if it cannot: for options as for files.
+[[nodiscard]] std::optional<std::string> fault_of(const Plan& plan);
 
 /// Looks at the world and the options. Fails with `invalid` and `limit`, in words.
 [[nodiscard]] Expected<Plan> make_plan(const World& world, const CharacterSettings& settings,

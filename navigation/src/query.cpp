@@ -60,14 +60,18 @@ namespace {
 /// Of all polygons that lie under or over a place, the one whose ground is nearest below it, else nearest above.
 class Beneath : public dtPolyQuery {
 public:
-    Beneath(const dtNavMeshQuery& query, const vec3& place, double below, double above)
-        : query_(query), place_(place), below_(below), above_(above) {}
+    Beneath(const dtNavMeshQuery& query, const vec3& place, double below, double above, double hair)
+        : query_(query), place_(place), below_(below), above_(above), hair_(hair) {}
 
     void process(const dtMeshTile*, dtPoly** polygons, dtPolyRef* references, int count) override {
         for (int i = 0; i < count; ++i) {
             if (polygons[i]->getType() != DT_POLYTYPE_GROUND) continue;
-            float height = 0;
-            if (dtStatusFailed(query_.getPolyHeight(references[i], &place_.x, &height))) continue;
+            // A place on the side that two polygons share may lie in neither, to floats; a hair aside is under it, too.
+            vec3 point{0, 0, 0};
+            if (dtStatusFailed(query_.closestPointOnPoly(references[i], &place_.x, &point.x, nullptr)) ||
+                !(std::abs(point.x - place_.x) <= hair_ && std::abs(point.z - place_.z) <= hair_))
+                continue;
+            const float height = point.y;
             const double drop = static_cast<double>(place_.y) - height;
             if (drop > below_ || -drop > above_) continue;
             // What lies above counts as farther than all that lies below.
@@ -87,54 +91,100 @@ private:
     vec3 place_;
     double below_;
     double above_;
+    double hair_;
     double distance_ = 0;
 };
-
-bool is_finite(const dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 }  // namespace
 
 std::optional<NavigationPoint> NavigationQuery::under(const dvec3& place, double below, double above) const {
-    if (!is_finite(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    if (!navigation::is_place(place) || !(below >= 0) || !(above >= 0)) return std::nullopt;
+    below = std::min(below, navigation::largest_coordinate);
+    above = std::min(above, navigation::largest_coordinate);
     state_->refresh_filter();
     const vec3 inside = state_->frame().in(place);
     // What the height detail adds may lie outside of the box around a polygon's corners.
     const float slack = static_cast<float>(state_->mesh->agent().climb);
-    const std::array<float, 3> half{1e-3F, static_cast<float>((below + above) / 2) + slack, 1e-3F};
+    const auto hair = static_cast<float>(state_->ground().plan.cell_size / 100);
+    const std::array<float, 3> half{hair, static_cast<float>((below + above) / 2) + slack, hair};
     const std::array<float, 3> middle{inside.x, inside.y + static_cast<float>((above - below) / 2), inside.z};
-    Beneath beneath(*state_->detour, inside, below, above);
+    Beneath beneath(*state_->detour, inside, below, above, hair);
     if (dtStatusFailed(state_->detour->queryPolygons(middle.data(), half.data(), &state_->filter, &beneath)) ||
         !beneath.found)
         return std::nullopt;
     return state_->point(beneath.found, &beneath.ground.x);
 }
 
+namespace {
+
+/// Of all polygons that are asked, the point that is nearest to a place.
+class Nearest : public dtPolyQuery {
+public:
+    Nearest(const dtNavMeshQuery& query, const vec3& place) : query_(query), place_(place) {}
+
+    void process(const dtMeshTile*, dtPoly** polygons, dtPolyRef* references, int count) override {
+        for (int i = 0; i < count; ++i) {
+            vec3 point{0, 0, 0};
+            if (polygons[i]->getType() != DT_POLYTYPE_GROUND ||
+                dtStatusFailed(query_.closestPointOnPoly(references[i], &place_.x, &point.x, nullptr)))
+                continue;
+            const dvec3 off = dvec3(point) - dvec3(place_);
+            const double distance = navigation::dot(off, off);
+            if (found != 0 && distance >= distance_) continue;
+            found = references[i];
+            distance_ = distance;
+            ground = point;
+        }
+    }
+
+    dtPolyRef found = 0;
+    vec3 ground{0, 0, 0};
+
+private:
+    const dtNavMeshQuery& query_;
+    vec3 place_;
+    double distance_ = 0;
+};
+
+}  // namespace
+
 std::optional<NavigationPoint> NavigationQuery::nearest(const dvec3& place, double aside, double vertical) const {
-    if (!is_finite(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
+    if (!navigation::is_place(place) || !(aside >= 0) || !(vertical >= 0)) return std::nullopt;
     state_->refresh_filter();
+    const navigation::Plan& plan = state_->ground().plan;
     const vec3 inside = state_->frame().in(place);
-    const std::array<float, 3> half{static_cast<float>(aside), static_cast<float>(vertical), static_cast<float>(aside)};
-    dtPolyRef polygon = 0;
-    std::array<float, 3> point{};
-    if (dtStatusFailed(
-            state_->detour->findNearestPoly(&inside.x, half.data(), &state_->filter, &polygon, point.data())) ||
-        polygon == 0)
+    // Detour goes from tile to tile through the whole box, so it gets no more of it than there are tiles.
+    const dvec3 least = dvec3{0, plan.low, 0} - plan.tile_size;
+    const dvec3 most = dvec3{plan.tiles_x * plan.tile_size, plan.high, plan.tiles_z * plan.tile_size} + plan.tile_size;
+    vec3 middle{0, 0, 0};
+    vec3 half{0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach = axis == 1 ? vertical : aside;
+        const double low = std::max(least[axis], inside[axis] - reach);
+        const double high = std::min(most[axis], inside[axis] + reach);
+        if (low > high) return std::nullopt;
+        middle[axis] = static_cast<float>((low + high) / 2);
+        half[axis] = static_cast<float>((high - low) / 2);
+    }
+    Nearest nearest(*state_->detour, inside);
+    if (dtStatusFailed(state_->detour->queryPolygons(&middle.x, &half.x, &state_->filter, &nearest)) ||
+        nearest.found == 0)
         return std::nullopt;
-    const dvec3 found = state_->frame().out(point.data());
+    const dvec3 found = state_->frame().out(&nearest.ground.x);
     const dvec3 off = state_->frame().turned_in(found - place);
     // Detour looks for polygons that reach into the box; their nearest points may lie outside.
     if (std::abs(off.x) > aside + 1e-3 || std::abs(off.z) > aside + 1e-3 || std::abs(off.y) > vertical + 1e-3)
         return std::nullopt;
-    return NavigationPoint{found, {polygon}};
+    return NavigationPoint{found, {nearest.found}};
 }
 
 bool NavigationQuery::begin_search(const NavigationPoint& from, const NavigationPoint& to) {
     state_->refresh_filter();
     state_->search_from = from;
     state_->search_to = to;
-    if (!state_->knows(from.polygon) || !state_->knows(to.polygon)) return false;
+    if (!state_->knows(from.polygon) || !state_->knows(to.polygon) || !navigation::is_place(from.position) ||
+        !navigation::is_place(to.position))
+        return false;
     const vec3 start = state_->frame().in(from.position);
     const vec3 end = state_->frame().in(to.position);
     return !dtStatusFailed(
@@ -188,22 +238,6 @@ std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from,
     if (!self.begin_search(from, to)) return std::nullopt;
     while (self.advance_search(1024)) continue;
     return self.finish_search();
-}
-
-std::optional<NavigationRay> NavigationQuery::ray(const NavigationPoint& from, const dvec3& to) const {
-    state_->refresh_filter();
-    if (!state_->knows(from.polygon) || !is_finite(to)) return std::nullopt;
-    const vec3 start = state_->frame().in(from.position);
-    const vec3 end = state_->frame().in(to);
-    dtRaycastHit hit{};
-    if (dtStatusFailed(state_->detour->raycast(from.polygon.id, &start.x, &end.x, &state_->filter, 0, &hit, 0)))
-        return std::nullopt;
-    NavigationRay ray;
-    ray.hit = hit.t < 1;
-    ray.t = ray.hit ? hit.t : 1;
-    ray.position = from.position + (to - from.position) * ray.t;
-    if (ray.hit) ray.normal = state_->frame().turned_out({hit.hitNormal[0], hit.hitNormal[1], hit.hitNormal[2]});
-    return ray;
 }
 
 }  // namespace v0

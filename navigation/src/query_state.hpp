@@ -2,6 +2,7 @@
 #pragma once
 
 #include <DetourNavMeshQuery.h>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,11 @@ using DetourQuery = std::unique_ptr<dtNavMeshQuery, NavQueryFreed>;
 
 /// Throws `std::bad_alloc`.
 [[nodiscard]] DetourQuery make_detour_query(const dtNavMesh& mesh, std::size_t most_nodes);
+/// Is it a place that floats can square?
+[[nodiscard]] inline bool is_place(const dvec3& v) {
+    return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate &&
+           std::abs(v.z) <= largest_coordinate;
+}
 
 struct QueryState {
     const NavigationMesh* mesh = nullptr;

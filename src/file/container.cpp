@@ -110,21 +110,24 @@ std::uint64_t Container::offset_of(const Section& section) const noexcept {
     return static_cast<std::uint64_t>(section.bytes.data() - bytes_.data());
 }
 
+Expected<void> Container::check_sum(const Section& section) const {
+    const auto index = static_cast<std::size_t>(&section - sections_.data());
+    FileSection entry;
+    std::memcpy(&entry, bytes_.data() + sizeof(FileHeader) + index * sizeof(FileSection), sizeof(entry));
+    if (hash_bytes(section.bytes) == entry.checksum) return {};
+    return tl::unexpected(
+        file_error(ErrorCode::unreadable, file_, offset_of(section), "has a damaged section, " + full_name(section)));
+}
+
 Expected<void> Container::check_sums() const {
     std::uint64_t end = sizeof(FileHeader) + sections_.size() * sizeof(FileSection);
     const auto is_zero = [&](std::uint64_t from, std::uint64_t to) {
         const auto gap = bytes_.subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from));
         return std::all_of(gap.begin(), gap.end(), [](std::byte byte) { return byte == std::byte{0}; });
     };
-    for (std::size_t i = 0; i < sections_.size(); ++i) {
-        const Section& section = sections_[i];
+    for (const Section& section : sections_) {
         const std::uint64_t offset = offset_of(section);
-        FileSection entry;
-        std::memcpy(&entry, bytes_.data() + sizeof(FileHeader) + i * sizeof(FileSection), sizeof(entry));
-        if (hash_bytes(section.bytes) != entry.checksum) {
-            return tl::unexpected(
-                file_error(ErrorCode::unreadable, file_, offset, "has a damaged section, " + full_name(section)));
-        }
+        if (auto sum = check_sum(section); !sum) return sum;
         if (!is_zero(end, offset)) {
             return tl::unexpected(file_error(ErrorCode::unreadable, file_, end, "has something between its sections"));
         }

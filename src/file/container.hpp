@@ -38,6 +38,9 @@ public:
     /// Reads all bytes and compares them with their checksums.
     [[nodiscard]] Expected<void> check_sums() const;
 
+    /// The same for one section. Requires: it is one of these.
+    [[nodiscard]] Expected<void> check_sum(const Section& section) const;
+
 private:
     Container(std::span<const std::byte> bytes, std::string file) noexcept;
 

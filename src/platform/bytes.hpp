@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <surefoot/error.hpp>
 
@@ -16,6 +17,9 @@ public:
     /// Fails with `not_found`, or `unreadable` for what is not a plain file or is empty.
     [[nodiscard]] static Expected<MappedFile> open(const std::string& path);
 
+    /// The same, copied page by page when it is written into: the file and other processes never see what is written.
+    [[nodiscard]] static Expected<MappedFile> open_private(const std::string& path);
+
     MappedFile(MappedFile&& other) noexcept;
     MappedFile& operator=(MappedFile&& other) noexcept;
     MappedFile(const MappedFile&) = delete;
@@ -23,6 +27,9 @@ public:
     ~MappedFile();
 
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
+
+    /// Gives the mapping away; `unmap` is the new owner's to call.
+    [[nodiscard]] std::span<const std::byte> release() noexcept { return std::exchange(bytes_, {}); }
 
 private:
     explicit MappedFile(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}

@@ -58,6 +58,17 @@ Expected<OpenFile> open_to_read(const std::string& path) {
     return OpenFile{std::move(descriptor), static_cast<std::size_t>(status.st_size)};
 }
 
+Expected<std::span<const std::byte>> map(const std::string& path, int protection, int sharing) {
+    const auto file = open_to_read(path);
+    if (!file) return tl::unexpected(file.error());
+    void* const memory = ::mmap(nullptr, file->size, protection, sharing, file->descriptor.get(), 0);
+    if (memory == MAP_FAILED) {
+        return tl::unexpected(
+            read_error(ErrorCode::unreadable, path, std::string("cannot be mapped: ") + std::strerror(errno)));
+    }
+    return std::span{static_cast<const std::byte*>(memory), file->size};
+}
+
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     if (slash == std::string::npos) return ".";
@@ -71,14 +82,15 @@ bool is_absolute(const char* path) {
 }  // namespace
 
 Expected<MappedFile> MappedFile::open(const std::string& path) {
-    const auto file = open_to_read(path);
-    if (!file) return tl::unexpected(file.error());
-    void* const memory = ::mmap(nullptr, file->size, PROT_READ, MAP_SHARED, file->descriptor.get(), 0);
-    if (memory == MAP_FAILED) {
-        return tl::unexpected(
-            read_error(ErrorCode::unreadable, path, std::string("cannot be mapped: ") + std::strerror(errno)));
-    }
-    return MappedFile({static_cast<const std::byte*>(memory), file->size});
+    auto memory = map(path, PROT_READ, MAP_SHARED);
+    if (!memory) return tl::unexpected(std::move(memory.error()));
+    return MappedFile(*memory);
+}
+
+Expected<MappedFile> MappedFile::open_private(const std::string& path) {
+    auto memory = map(path, PROT_READ | PROT_WRITE, MAP_PRIVATE);
+    if (!memory) return tl::unexpected(std::move(memory.error()));
+    return MappedFile(*memory);
 }
 
 void unmap(std::span<const std::byte> bytes) noexcept {

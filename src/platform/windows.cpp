@@ -78,6 +78,18 @@ Expected<OpenFile> open_to_read(const std::string& path) {
     return OpenFile{std::move(handle), static_cast<std::size_t>(size.QuadPart)};
 }
 
+Expected<std::span<const std::byte>> map(const std::string& path, DWORD protection, DWORD access) {
+    const auto file = open_to_read(path);
+    if (!file) return tl::unexpected(file.error());
+    const Handle mapping(CreateFileMappingW(file->handle.get(), nullptr, protection, 0, 0, nullptr));
+    const void* const memory = mapping.is_open() ? MapViewOfFile(mapping.get(), access, 0, 0, 0) : nullptr;
+    if (memory == nullptr) {
+        return tl::unexpected(
+            read_error(ErrorCode::unreadable, path, "cannot be mapped: " + reason_of(GetLastError())));
+    }
+    return std::span{static_cast<const std::byte*>(memory), file->size};
+}
+
 bool is_folder(const std::string& path) {
     const DWORD attributes = GetFileAttributesW(wide(path).c_str());
     return attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0;
@@ -90,15 +102,15 @@ HANDLE handle_from(std::intptr_t number) {
 }  // namespace
 
 Expected<MappedFile> MappedFile::open(const std::string& path) {
-    const auto file = open_to_read(path);
-    if (!file) return tl::unexpected(file.error());
-    const Handle mapping(CreateFileMappingW(file->handle.get(), nullptr, PAGE_READONLY, 0, 0, nullptr));
-    const void* const memory = mapping.is_open() ? MapViewOfFile(mapping.get(), FILE_MAP_READ, 0, 0, 0) : nullptr;
-    if (memory == nullptr) {
-        return tl::unexpected(
-            read_error(ErrorCode::unreadable, path, "cannot be mapped: " + reason_of(GetLastError())));
-    }
-    return MappedFile({static_cast<const std::byte*>(memory), file->size});
+    auto memory = map(path, PAGE_READONLY, FILE_MAP_READ);
+    if (!memory) return tl::unexpected(std::move(memory.error()));
+    return MappedFile(*memory);
+}
+
+Expected<MappedFile> MappedFile::open_private(const std::string& path) {
+    auto memory = map(path, PAGE_WRITECOPY, FILE_MAP_COPY);
+    if (!memory) return tl::unexpected(std::move(memory.error()));
+    return MappedFile(*memory);
 }
 
 void unmap(std::span<const std::byte> bytes) noexcept {

@@ -26,6 +26,9 @@ if [[ -d $tree/include/surefoot && -f $tree/include/surefoot/import.hpp ]]; then
     # The helper program is looked for where the library was to be installed; this tree has moved.
     SUREFOOT_IMPORTER=$(find "$tree" -name surefoot-importer) with_cmake/importing_outsider
 fi
+if [[ -f $tree/include/surefoot/navigation_mesh.hpp ]]; then
+    with_cmake/navigating_outsider
+fi
 
 echo "== A component that does not exist is refused in words"
 if cmake -S "$here/outsider" -B refused -DCMAKE_PREFIX_PATH="$tree" -DSUREFOOT_OUTSIDER_COMPONENT=wings >refused.log 2>&1; then

@@ -8,10 +8,12 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <surefoot/bounds.hpp>
 #include <surefoot/character_settings.hpp>
 #include <surefoot/math.hpp>
+#include <surefoot/notes.hpp>
 #include <surefoot/pose.hpp>
 #include <surefoot/world.hpp>
 
@@ -34,7 +36,7 @@ struct NavigationAgent {
 /// A kind of ground. Area 0 is all ground about which nothing is said.
 struct NavigationArea {
     std::string name;
-    double cost = 1;      ///< a metre on it is as long as so many on plain ground [>= 1]
+    double cost = 1;      ///< a metre on it is as long as so many on plain ground [1 to 1e6]
     bool closed = false;  ///< no path goes over it: a door that is shut; `NavigationMesh::set_area` opens it
 };
 
@@ -51,6 +53,10 @@ struct NavigationRegion {
     Kind kind = Kind::forbid;
     std::uint32_t area = 0;
 };
+
+/// What a level's markers say about its ground: a marker of the kind `navigation_forbid` or `navigation_require` is the
+/// box that reaches from its place as far as its scale to each side, as an empty drawn as a cube is.
+[[nodiscard]] std::vector<NavigationRegion> navigation_regions(std::span<const Marker> markers);
 
 /// Any callable `void(std::size_t done, std::size_t all)`, told of tiles as they are finished. Non-owning; called by
 /// one thread at a time; may not throw.

@@ -97,8 +97,8 @@ public:
     /// The areas of `NavigationOptions`, or the one that is there without any.
     [[nodiscard]] std::span<const NavigationArea> areas() const noexcept;
 
-    /// From now on: opens and shuts a door, or makes ground dearer. Requires: an area that is there and a cost of at
-    /// least 1; asserts otherwise, and with asserts off changes nothing and says false.
+    /// From now on: opens and shuts a door, or makes ground dearer. Requires: an area that is there and a cost from 1
+    /// to 1e6; asserts otherwise, and with asserts off changes nothing and says false.
     bool set_area(std::uint32_t area, bool closed, double cost = 1) noexcept;
 
     [[nodiscard]] std::span<const NavigationLink> links() const noexcept;

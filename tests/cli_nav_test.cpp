@@ -1,0 +1,127 @@
+// surefoot nav: ground kept in a file, and paths over it.
+#include "cli_program.hpp"
+
+namespace {
+
+class CliNav : public Cli {
+protected:
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// The floor with its wall, cooked.
+    std::string cooked() const {
+        const Outcome outcome = run("cook " + floor_ + " -o " + path("floor.surefoot"));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return path("floor.surefoot");
+    }
+};
+
+TEST_F(CliNav, a_cooked_level_gets_its_ground_and_keeps_everything_else) {
+    const std::string level = cooked();
+    const auto before = nlohmann::json::parse(run("info " + level + " --json").out);
+    const Outcome built = run("nav build " + level + " --cell 0.2");
+    ASSERT_EQ(built.code, 0) << built.err;
+    EXPECT_TEXT(built.out, "m2 of ground");
+    EXPECT_TEXT(built.out, "radius 0.41 m");
+    EXPECT_TEXT(run("info " + level).out, "surefoot/navigation");
+    const auto after = nlohmann::json::parse(run("info " + level + " --json").out);
+    EXPECT_EQ(after["triangles"], before["triangles"]);
+    EXPECT_EQ(after["surfaces"], before["surfaces"]);
+    const Outcome again = run("nav build " + level + " --cell 0.4 --json");
+    ASSERT_EQ(again.code, 0) << again.err;
+    const auto json = nlohmann::json::parse(again.out);
+    EXPECT_EQ(json["file"], level);
+    EXPECT_GT(json["area"], 300);
+    EXPECT_LT(json["area"], 400);
+    EXPECT_GT(json["polygons"], 0);
+    EXPECT_EQ(json["agent"]["climb"], 0.4);
+    const std::string text = read_text(level);
+    EXPECT_EQ(text.find("navigation"), text.rfind("navigation")) << "there is one of it, not two";
+}
+
+TEST_F(CliNav, a_level_that_is_not_cooked_needs_a_name_for_what_is_written) {
+    const Outcome nameless = run("nav build " + floor_);
+    EXPECT_EQ(nameless.code, 2);
+    EXPECT_TEXT(nameless.err, "-o LEVEL.surefoot");
+    const Outcome named = run("nav build " + floor_ + " --cell 0.2 -o " + path("out.surefoot"));
+    ASSERT_EQ(named.code, 0) << named.err;
+    EXPECT_EQ(run("nav path " + path("out.surefoot") + " --from 0,0,0 --to 3,0,3").code, 0);
+}
+
+TEST_F(CliNav, a_path_goes_around_the_wall_and_says_so_when_there_is_none) {
+    const std::string level = cooked();
+    ASSERT_EQ(run("nav build " + level + " --cell 0.2").code, 0);
+    const Outcome straight = run("nav path " + level + " --from 0,0,0 --to 3,0,4 --json");
+    ASSERT_EQ(straight.code, 0) << straight.err;
+    const auto json = nlohmann::json::parse(straight.out);
+    EXPECT_TRUE(json["found"]);
+    EXPECT_FALSE(json["partial"]);
+    EXPECT_NEAR(json["length"], 5, 0.1);
+    EXPECT_EQ(json["corners"].size(), 2U);
+    EXPECT_TRUE(json["links"].empty());
+    // The wall cuts the floor from edge to edge.
+    const Outcome half = run("nav path " + level + " --from 0,0,0 --to 8,0,0");
+    EXPECT_EQ(half.code, 0);
+    EXPECT_TEXT(half.out, "It does not get there");
+    const Outcome none = run("nav path " + level + " --from 0,0,0 --to 80,0,0");
+    EXPECT_EQ(none.code, 0);
+    EXPECT_TEXT(none.out, "no ground to stand on at --to");
+    const auto none_json = nlohmann::json::parse(run("nav path " + level + " --from 0,50,0 --to 3,0,0 --json").out);
+    EXPECT_FALSE(none_json["found"]);
+    EXPECT_EQ(none_json["no_ground_at"], "from");
+}
+
+TEST_F(CliNav, without_ground_in_the_file_or_for_another_body_it_is_found_anew) {
+    const std::string question = " --from 0,0,0 --to 3,0,4 --cell 0.2 --json";
+    const Outcome anew = run("nav path " + floor_ + question);
+    ASSERT_EQ(anew.code, 0) << anew.err;
+    EXPECT_TRUE(nlohmann::json::parse(anew.out)["found"]);
+    const std::string level = cooked();
+    ASSERT_EQ(run("nav build " + level + " --cell 0.2").code, 0);
+    // 4.5 m from the wall is near enough for a slim body, and too near for one of 1.5 m.
+    EXPECT_TEXT(run("nav path " + level + " --from 0,0,0 --to 4.4,0,0").out, "Path of 4.");
+    EXPECT_TEXT(run("nav path " + level + " --from 0,0,0 --to 4.4,0,0 --radius 1.5 --cell 0.4").out, "Path of 3.");
+    EXPECT_TEXT(run("nav path " + level + " --from 0,0,0 --to 3,0,4 --shape capsule:0.4,0.5 --cell 0.2").out,
+                "Path of 5");
+}
+
+TEST_F(CliNav, what_makes_no_sense_is_said_in_words) {
+    EXPECT_EQ(run("nav").code, 2);
+    EXPECT_EQ(run("nav build").code, 2);
+    const Outcome slope = run("nav build " + floor_ + " -o " + path("x.surefoot") + " --slope 95");
+    EXPECT_EQ(slope.code, 2);
+    EXPECT_TEXT(slope.err, "slopes 0 to 89 degrees");
+    const Outcome cells = run("nav build " + floor_ + " -o " + path("x.surefoot") + " --cell 0.0001");
+    EXPECT_EQ(cells.code, 2);
+    EXPECT_TEXT(cells.err, "larger");
+    EXPECT_FALSE(std::filesystem::exists(path("x.surefoot")));
+    EXPECT_EQ(run("nav path " + path("none.surefoot") + " --from 0,0,0 --to 1,0,0").code, 3);
+    EXPECT_EQ(run("nav path " + floor_ + " --from 0,0 --to 1,0,0").code, 2);
+}
+
+TEST_F(CliNav, ground_that_is_damaged_is_an_error_that_names_the_cure) {
+    const std::string level = cooked();
+    ASSERT_EQ(run("nav build " + level + " --cell 0.2").code, 0);
+    std::string bytes = read_text(level);
+    const std::size_t at = bytes.find(std::string("SFTNAV\r\n", 8));
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + 100] ^= 4;
+    write("floor.surefoot", bytes);
+    const Outcome damaged = run("nav path " + level + " --from 0,0,0 --to 3,0,4");
+    EXPECT_EQ(damaged.code, 3);
+    EXPECT_TEXT(damaged.err, "damaged");
+    EXPECT_EQ(run("nav build " + level + " --cell 0.2").code, 0) << "and building it again mends it";
+    EXPECT_EQ(run("nav path " + level + " --from 0,0,0 --to 3,0,4").code, 0);
+}
+
+TEST_F(CliNav, the_help_teaches) {
+    for (const char* const command : {"nav build", "nav path"}) {
+        const Outcome help = run(std::string(command) + " --help");
+        EXPECT_EQ(help.code, 0);
+        EXPECT_TEXT(help.out, "Examples:");
+        EXPECT_TEXT(help.out, "Exit codes:");
+        EXPECT_TEXT(help.out, "--radius");
+    }
+    EXPECT_TEXT(run("nav --help").out, "build");
+}
+
+}  // namespace

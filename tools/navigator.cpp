@@ -1,0 +1,80 @@
+#include "navigator.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <surefoot/character_settings.hpp>
+
+#include "command.hpp"
+#include "kitchen.hpp"
+#include "options.hpp"
+#include "parse.hpp"
+#include "progress.hpp"
+
+namespace surefoot::tools {
+
+void WalkerOptions::add_to(CLI::App& command) {
+    CLI::Option* const whole = command.add_option("--shape", shape, "Its body (default: ellipsoid:0.4,0.9,0.4)");
+    whole->type_name("KIND:SIZES");
+    const auto metres = [&](const char* name, std::optional<double>& value, const char* help) {
+        return command.add_option(name, value, help)->type_name("METRES");
+    };
+    metres("--radius", radius, "How wide it is to each side, as an upright ellipsoid (default: 0.4)")->excludes(whole);
+    metres("--height", height, "How tall it is, as an upright ellipsoid (default: 1.8)")->excludes(whole);
+    metres("--climb", climb, "The highest step that it walks up (default: 0.4)");
+    command.add_option("--slope", slope, "The steepest ground that it stands on, from level (default: 50)")
+        ->type_name("DEGREES");
+    metres("--cell", cell, "The squares in which ground is sampled (default: a quarter of its radius)");
+    command.add_option("--threads", threads, "How many threads build (default: 2); the mesh is the same")
+        ->type_name("COUNT");
+}
+
+CharacterSettings WalkerOptions::settings() const {
+    CharacterSettings settings;
+    if (!shape.empty()) {
+        const auto parsed = parse_shape(shape);
+        if (!parsed) throw Failure{ExitCode::usage, "--shape: " + parsed.error()};
+        settings.volume = *parsed;
+    } else if (radius || height) {
+        const double half = height.value_or(1.8) / 2;
+        settings.volume = Ellipsoid{{radius.value_or(0.4), half, radius.value_or(0.4)}};
+    }
+    settings.step_up = climb.value_or(settings.step_up);
+    settings.slope_limit_deg = slope.value_or(settings.slope_limit_deg);
+    if (!is_valid(settings))
+        throw Failure{ExitCode::usage,
+                      "no character can be like that: sizes are above 0 and at least four times its skin of 0.01 m, "
+                      "steps at least 0, slopes 0 to 89 degrees"};
+    return settings;
+}
+
+NavigationMesh build_ground(const Level& level, const WalkerOptions& walker) {
+    const CharacterSettings settings = walker.settings();
+    World world;
+    if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
+    ProgressBar bar("looking for ground");
+    const auto show = [&](std::size_t done, std::size_t all) {
+        bar.show(static_cast<double>(done) / static_cast<double>(all));
+    };
+    const std::vector<NavigationRegion> regions = navigation_regions(level.markers);
+    NavigationOptions options;
+    options.cell_size = walker.cell.value_or(0);
+    options.threads = walker.threads.value_or(options.threads);
+    options.regions = regions;
+    options.progress = NavigationProgress(show);
+    auto mesh = NavigationMesh::build(world, settings, options);
+    if (!mesh) {
+        const bool memory = mesh.error().code == ErrorCode::out_of_memory;
+        throw Failure{memory ? ExitCode::file : ExitCode::usage, level.file + ": " + mesh.error().text};
+    }
+    return *std::move(mesh);
+}
+
+std::optional<NavigationMesh> ground_in(const Level& level) {
+    auto mesh = is_cooked_name(level.file) ? NavigationMesh::open(level.file) : NavigationMesh::read(level.mesh);
+    if (mesh) return *std::move(mesh);
+    if (mesh.error().code == ErrorCode::not_found) return std::nullopt;
+    throw Failure{ExitCode::file, mesh.error().text};
+}
+
+}  // namespace surefoot::tools
