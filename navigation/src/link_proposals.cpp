@@ -86,6 +86,7 @@ void LinkProposer::add_drops(const BorderPlace& place) {
         const double step = agent_.climb + ground_.mesh.state().plan.cell_height;
         if (drop <= step || std::abs(drop - last) < 0.05) continue;
         last = drop;
+        if (is_walled(place.place, over, false)) break;
         add(NavigationLinkKind::drop, place, below->position, ground_.islands.of(below->polygon.id), 0, beyond);
     }
 }
