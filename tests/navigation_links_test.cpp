@@ -116,11 +116,13 @@ TEST(NavigationLinks, ADropOverTheLimitIsNotThere) {
 }
 
 // Broken variant: proposals are kept without simulating them.
-TEST(NavigationLinks, AWallAtTheEdgeLetsNobodyDrop) {
+TEST(NavigationLinks, ARailingLetsNobodyDrop) {
     Scene scene = terrace(3);
-    for (const double side : {-1.0, 1.0})
-        scene.block({-4, 3, side > 0 ? 3.9 : -4.0}, {4, 6, side > 0 ? 4.0 : -3.9})
-            .block({side > 0 ? 3.9 : -4.0, 3, -4}, {side > 0 ? 4.0 : -3.9, 6, 4});
+    // Two bars, with nothing between them at the height of the body's middle.
+    for (const auto& [low, high] : {std::pair{3.5, 3.6}, std::pair{4.4, 4.6}})
+        for (const double side : {-1.0, 1.0})
+            scene.block({-4, low, side > 0 ? 3.9 : -4.0}, {4, high, side > 0 ? 4.0 : -3.9})
+                .block({side > 0 ? 3.9 : -4.0, low, -4}, {side > 0 ? 4.0 : -3.9, high, 4});
     Level level = level_of(scene);
     EXPECT_TRUE(level.links().empty());
     EXPECT_GT(level.report.tried[0], 0U) << "nothing was proposed, so this shows nothing";
