@@ -93,7 +93,8 @@ void expect_replays(const Level& level, const std::vector<NavigationLink>& links
     }
 }
 
-// Broken variants: no drops proposed; drops proposed upwards; the recorded inputs are those of a run with margins.
+// Broken variants: no drops proposed; drops proposed upwards; links are not thinned out; the recorded inputs are those
+// of a run with margins.
 TEST(NavigationLinks, ATerraceIsDroppedOffAndNotJumpedOnto) {
     Level level = level_of(terrace(3));
     const auto links = level.links();
@@ -103,6 +104,12 @@ TEST(NavigationLinks, ATerraceIsDroppedOffAndNotJumpedOnto) {
         EXPECT_NEAR(rise(link), -3, 0.2);
     }
     EXPECT_EQ(level.report.kept[0], links.size());
+    EXPECT_LT(links.size(), level.report.done[0]);
+    for (const NavigationLink& link : links)
+        for (const NavigationLink& other : links) {
+            const dvec3 apart = link.takeoff - other.takeoff;
+            EXPECT_TRUE(&link == &other || std::hypot(apart.x, apart.z) > 0.8 * level.options.spacing);
+        }
     expect_replays(level, links);
 }
 
@@ -116,17 +123,19 @@ TEST(NavigationLinks, ADropOverTheLimitIsNotThere) {
 }
 
 // Broken variant: proposals are kept without simulating them.
-TEST(NavigationLinks, AWallAtTheEdgeLetsNobodyDrop) {
+TEST(NavigationLinks, ARailingLetsNobodyDrop) {
     Scene scene = terrace(3);
-    for (const double side : {-1.0, 1.0})
-        scene.block({-4, 3, side > 0 ? 3.9 : -4.0}, {4, 6, side > 0 ? 4.0 : -3.9})
-            .block({side > 0 ? 3.9 : -4.0, 3, -4}, {side > 0 ? 4.0 : -3.9, 6, 4});
+    // Two bars, with nothing between them at the height of the body's middle.
+    for (const auto& [low, high] : {std::pair{3.5, 3.6}, std::pair{4.4, 4.6}})
+        for (const double side : {-1.0, 1.0})
+            scene.block({-4, low, side > 0 ? 3.9 : -4.0}, {4, high, side > 0 ? 4.0 : -3.9})
+                .block({side > 0 ? 3.9 : -4.0, low, -4}, {side > 0 ? 4.0 : -3.9, high, 4});
     Level level = level_of(scene);
     EXPECT_TRUE(level.links().empty());
     EXPECT_GT(level.report.tried[0], 0U) << "nothing was proposed, so this shows nothing";
 }
 
-// Broken variants: only one way is looked for; links are not thinned out.
+// Broken variants: only one way is looked for; from one place there are links to all places of the other side.
 TEST(NavigationLinks, AGapIsJumpedBothWays) {
     Level level = level_of(gap(2));
     const auto links = level.links();
@@ -421,11 +430,15 @@ TEST(NavigationDrive, SteersBackWhoeverIsPushed) {
     const NavigationLink link{.from = {-3, 20, 0}, .to = {2, 20, 0}, .takeoff = {-1.1, 20, 0}, .kind = Kind::jump};
     CharacterState state = stand_at(level.world, level.settings, link.from);
     NavigationDrive driver{.feet = navigation_agent(level.settings).feet};
+    double pushed = 0;
     for (int ticks = 0; ticks < 300 && driver.status != NavigationDriveStatus::arrived; ++ticks) {
         CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
-        if (ticks == 5) input.impulse = {0, 0, 3};
+        if (ticks == 2) input.impulse = {0, 0, 5};
+        if (!driver.airborne) pushed = std::max(pushed, state.position.z);
+        if (input.jump && state.footing == Footing::ground) EXPECT_LT(state.position.z, pushed / 2);
         state = step(level.world, level.settings, input, 1.0 / 60, state).state;
     }
+    EXPECT_GT(pushed, 0.15);
     EXPECT_EQ(driver.status, NavigationDriveStatus::arrived);
 }
 

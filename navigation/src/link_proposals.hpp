@@ -20,6 +20,7 @@ struct LinkProposal {
 
 /// What is the same for all threads.
 struct LinkGround {
+    const World& world;
     const CharacterSettings& settings;
     const NavigationMesh& mesh;
     const NavigationLinkOptions& options;
@@ -49,10 +50,13 @@ private:
     void add_drops(const BorderPlace& place);
     void add_crossings(const BorderPlace& place);
     void add_crossing(const BorderPlace& place, const BorderPlace& goal);
+    void add_jumps(const BorderPlace& place, const BorderPlace& goal, const dvec3& to, double rank);
     /// Is the walk so long that the link is wanted?
     [[nodiscard]] bool is_far(const dvec3& from, const dvec3& to, const NavigationLink& link);
     void add(NavigationLinkKind kind, const BorderPlace& place, const dvec3& to, std::uint32_t to_island, double behind,
              double rank);
+    /// Is there a wall between them that reaches up farther than a jump leads, or for those who walk at all?
+    [[nodiscard]] bool is_walled(const dvec3& from, const dvec3& to, bool jumps) const;
     /// Along the ground, as far as it goes and `most` at most.
     [[nodiscard]] dvec3 along_ground(const dvec3& place, const dvec3& way, double most);
     [[nodiscard]] double above(const dvec3& from, const dvec3& to) const;
