@@ -126,8 +126,9 @@ TEST(NavigationField, OneGoalServesManyByTheirOwnFeet) {
     EXPECT_EQ(without + fell_in, 30U);
 }
 
-TEST(NavigationField, ABetterHandIsTriedAndDeadEndsInDeadEndsAreLeft) {
-    // A U in a U, and a wall that makes one hand lead nowhere for long.
+// Broken variant: following a wall for a few steps only.
+TEST(NavigationField, DeadEndsInDeadEndsAreLeft) {
+    // A U in a U, and a wall that makes one way round a long one.
     Scene scene = u_shape();
     scene.block({-2, 0, -3}, {-1.5, 3, 3}).block({-5, 0, -3}, {-2, 3, -2.5}).block({-5, 0, 2.5}, {-2, 3, 3});
     scene.block({2, 0, 6}, {2.5, 3, 15});

@@ -97,7 +97,7 @@ private:
             case NavigationEscape::random:
                 return walk_at_random();
             case NavigationEscape::wall:
-                return follow_wall(1) || follow_wall(-1);
+                return follow_wall();
             case NavigationEscape::virtual_goal:
                 return go_to_virtual_goal();
         }
@@ -118,28 +118,24 @@ private:
         return true;
     }
 
-    /// With the wall to one hand until the potential is lower than in the minimum. The rule is that of the bug
+    /// With the wall to the right until the potential is lower than in the minimum. The rule is that of the bug
     /// algorithms (Lumelsky and Stepanov, 1987): each minimum is left nearer to the goal than it was met, so none is
     /// met twice.
-    bool follow_wall(int hand) {
-        const NavigationPoint begin = here_;
-        const std::size_t points = result_.line.points.size();
+    bool follow_wall() {
         const double lowest = value(here_);
-        int heading = towards_goal() - hand * directions / 4;
+        int heading = towards_goal() - directions / 4;
         for (int i = 0; i < longest_along_wall; ++i) {
             // From the side of the wall away from it, the first free way.
             std::optional<NavigationPoint> next;
-            int turned = heading + hand * directions / 4;
-            for (int k = 0; k < directions && !next; ++k, turned -= hand) {
+            int turned = heading + directions / 4;
+            for (int k = 0; k < directions && !next; ++k, --turned) {
                 next = free_step(turned);
                 heading = turned;
             }
-            if (!next) break;
+            if (!next) return false;
             move_to(*next);
             if (value(here_) < lowest - options_.step / 2) return true;
         }
-        here_ = begin;
-        result_.line.points.resize(points);
         return false;
     }
     [[nodiscard]] int towards_goal() const {
