@@ -20,6 +20,7 @@ struct BuildGiven {
     LevelOptions level;
     WalkerOptions walker;
     std::string output;
+    bool unproved = false;
     bool json = false;
 };
 
@@ -36,12 +37,16 @@ void append_field(std::string& out, const char* name, double value) {
     append_number(out, value);
 }
 
-std::string built_json(const std::string& file, const NavigationMesh& mesh, std::size_t bytes) {
+std::string built_json(const std::string& file, const NavigationMesh& mesh, std::size_t bytes,
+                       const NavigationAgreement& agreement) {
     const NavigationReport report = mesh.report();
     const NavigationAgent& agent = mesh.agent();
     std::string out = fmt::format(R"({{"file":{},"bytes":{},"tiles":{},"polygons":{},"links":{})", json_string(file),
                                   bytes, report.tiles, report.polygons, mesh.links().size());
     append_field(out, "area", report.area);
+    append_field(out, "unreached", agreement.unreached);
+    append_field(out, "no_return", agreement.no_return);
+    append_field(out, "covered", agreement.covered());
     append_field(out, "seconds", report.seconds);
     out += R"(,"agent":{"radius":)";
     append_number(out, agent.radius);
@@ -52,7 +57,8 @@ std::string built_json(const std::string& file, const NavigationMesh& mesh, std:
     return out + "}}\n";
 }
 
-std::string built_text(const std::string& file, const NavigationMesh& mesh, std::size_t bytes) {
+std::string built_text(const std::string& file, const NavigationMesh& mesh, std::size_t bytes,
+                       const NavigationAgreement& agreement) {
     const NavigationReport report = mesh.report();
     const NavigationAgent& agent = mesh.agent();
     std::string out = fmt::format("{}: {} m2 of ground in {} polygons and {} tiles, {} links, {} bytes, built in {}\n",
@@ -62,6 +68,11 @@ std::string built_text(const std::string& file, const NavigationMesh& mesh, std:
                        short_number(agent.radius), short_number(agent.height));
     out += fmt::format("  that      walks up steps of {} m and stands on slopes of {} degrees\n",
                        short_number(agent.climb), short_number(agent.slope_limit_deg));
+    if (agreement.flood > 0)
+        out += fmt::format(
+            "  taken out {:.1f} m2 to which no feet get, {:.1f} m2 from which they do not get back\n"
+            "  knows     {:.2f}% of the {:.1f} m2 that feet reach and come back from\n",
+            agreement.unreached, agreement.no_return, 100 * agreement.covered(), agreement.flood);
     return out;
 }
 
@@ -71,12 +82,15 @@ ExitCode run_build(const BuildGiven& given) {
                       fmt::format("{}: is not cooked, so name the file to write: -o LEVEL.surefoot", given.level.file)};
     const std::string output = given.output.empty() ? given.level.file : given.output;
     const Level level = load_level(given.level);
-    const NavigationMesh mesh = build_ground(level, given.walker);
+    NavigationAgreement agreement;
+    const NavigationMesh mesh =
+        build_ground(level, given.walker, given.unproved ? Proof::none : Proof::by_feet, &agreement);
     const std::vector<std::byte> bytes = mesh.to_bytes();
     const Section section = navigation_section(bytes, level.mesh.made_from());
     const auto written = level.mesh.write(output, std::span(&section, 1));
     if (!written) throw Failure{ExitCode::file, written.error().text};
-    write_out(given.json ? built_json(output, mesh, bytes.size()) : built_text(output, mesh, bytes.size()));
+    write_out(given.json ? built_json(output, mesh, bytes.size(), agreement)
+                         : built_text(output, mesh, bytes.size(), agreement));
     return ExitCode::ok;
 }
 
@@ -140,7 +154,7 @@ ExitCode run_path(const PathGiven& given) {
     const Level level = load_level(given.level);
     std::optional<NavigationMesh> kept;
     if (!given.walker.any()) kept = ground_in(level);
-    const NavigationMesh mesh = kept ? *std::move(kept) : build_ground(level, given.walker);
+    const NavigationMesh mesh = kept ? *std::move(kept) : build_ground(level, given.walker, Proof::none);
     const NavigationQuery query(mesh, 65535);
     const auto start = ground_at(query, from);
     const auto end = ground_at(query, to);
@@ -167,13 +181,16 @@ void add_build(CLI::App& nav, Run& run) {
         ->add_option("-o,--output", given->output,
                      "The file to write: triangles, ground, and whatever else was there (default: a cooked LEVEL)")
         ->type_name("OUT.surefoot");
+    command->add_flag("--unproved", given->unproved, "Ground alone: no links, and without trying where feet get");
     command->add_flag("--json", given->json, "Print one line of JSON");
     command->footer(help_footer(
         "  surefoot nav build castle.surefoot\n"
         "  surefoot nav build castle.glb -o castle.surefoot --radius 0.3 --height 1.5\n"
         "\nGround is what this character can stand on: not too steep, as wide and as high as its body needs, joined "
         "by\n"
-        "steps that it walks up. The old file stays whole until the new one is. Markers of the level of the kind\n"
+        "steps that it walks up. Then a character is walked everywhere from the level's spawn points, drops and jumps\n"
+        "that it gets over become links, and ground that it does not reach is taken out; that takes a minute or so.\n"
+        "The old file stays whole until the new one is. Markers of the level of the kind\n"
         "navigation_forbid keep everybody out of their box; of the kind navigation_require they make building fail "
         "when\n"
         "there is no ground in it.\n"

@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "kitchen.hpp"
+#include "navigator_bars.hpp"
 #include "options.hpp"
 #include "parse.hpp"
 #include "progress.hpp"
@@ -48,25 +49,50 @@ CharacterSettings WalkerOptions::settings() const {
     return settings;
 }
 
-NavigationMesh build_ground(const Level& level, const WalkerOptions& walker) {
-    const CharacterSettings settings = walker.settings();
-    World world;
-    if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
-    ProgressBar bar("looking for ground");
-    const auto show = [&](std::size_t done, std::size_t all) {
-        bar.show(static_cast<double>(done) / static_cast<double>(all));
-    };
-    const std::vector<NavigationRegion> regions = navigation_regions(level.markers);
-    NavigationOptions options;
+Ground::Ground(const Level& level, const WalkerOptions& walker) : regions(navigation_regions(level.markers)) {
     options.cell_size = walker.cell.value_or(0);
     options.threads = walker.threads.value_or(options.threads);
     options.regions = regions;
-    options.progress = NavigationProgress(show);
-    auto mesh = NavigationMesh::build(world, settings, options);
+}
+
+std::vector<dvec3> starts_of(const Level& level) {
+    std::vector<dvec3> starts;
+    for (const ImportedMarker& marker : level.markers)
+        if (marker.kind == "spawn") starts.push_back(marker.position);
+    return starts;
+}
+
+NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Proof proof,
+                            NavigationAgreement* agreement) {
+    const CharacterSettings settings = walker.settings();
+    World world;
+    if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
+    Ground ground(level, walker);
+    std::optional<ProgressBar> bar(std::in_place, "looking for ground");
+    const auto show = [&](std::size_t done, std::size_t all) {
+        bar->show(static_cast<double>(done) / static_cast<double>(all));
+    };
+    ground.options.progress = NavigationProgress(show);
+    auto mesh = NavigationMesh::build(world, settings, ground.options);
+    bar.reset();
     if (!mesh) {
         const bool memory = mesh.error().code == ErrorCode::out_of_memory;
         throw Failure{memory ? ExitCode::file : ExitCode::usage, level.file + ": " + mesh.error().text};
     }
+    if (proof == Proof::none) return *std::move(mesh);
+    const std::optional<dvec3> start = best_start(*mesh, starts_of(level));
+    if (!start) return *std::move(mesh);
+    CheckBars bars;
+    const auto show_part = [&](NavigationCheckPart part, std::size_t done, std::size_t all) {
+        bars.show(part, done, all);
+    };
+    NavigationCheckOptions options;
+    options.mesh = ground.options;
+    options.mesh.progress = {};
+    options.threads = ground.options.threads;
+    options.progress = NavigationCheckProgress(show_part);
+    const NavigationAgreement agreed = prove_by_feet(*mesh, world, settings, *start, options);
+    if (agreement != nullptr) *agreement = agreed;
     return *std::move(mesh);
 }
 
