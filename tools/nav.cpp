@@ -86,6 +86,9 @@ ExitCode run_build(const BuildGiven& given) {
     const NavigationMesh mesh =
         build_ground(level, given.walker, given.unproved ? Proof::none : Proof::by_feet, &agreement);
     const std::vector<std::byte> bytes = mesh.to_bytes();
+    // What is refused when it is opened is better not written.
+    if (const auto sound = NavigationMesh::read(bytes, output); !sound)
+        throw Failure{ExitCode::failed, sound.error().text};
     const Section section = navigation_section(bytes, level.mesh.made_from());
     const auto written = level.mesh.write(output, std::span(&section, 1));
     if (!written) throw Failure{ExitCode::file, written.error().text};
