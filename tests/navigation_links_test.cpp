@@ -435,7 +435,9 @@ TEST(NavigationDrive, SteersBackWhoeverIsPushed) {
         CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
         if (ticks == 2) input.impulse = {0, 0, 5};
         if (!driver.airborne) pushed = std::max(pushed, state.position.z);
-        if (input.jump && state.footing == Footing::ground) EXPECT_LT(state.position.z, pushed / 2);
+        if (input.jump && state.footing == Footing::ground) {
+            EXPECT_LT(state.position.z, pushed / 2);
+        }
         state = step(level.world, level.settings, input, 1.0 / 60, state).state;
     }
     EXPECT_GT(pushed, 0.15);
