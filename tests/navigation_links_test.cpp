@@ -214,6 +214,17 @@ TEST(NavigationLinks, ABlockIsJumpedOntoAsHighAsTheCharacterJumps) {
     EXPECT_EQ(jumps_up(level_of(terrace(1.7)).links(), 0.8), 0U);
 }
 
+// Broken variant: what is higher than a jump is not proposed to hands.
+TEST(NavigationLinks, HandsHelpUpHigherBlocks) {
+    Level level = level_of(terrace(2.2));
+    EXPECT_EQ(jumps_up(level.links(), 2), 0U);
+    level.settings.ledge_reach = 0.3;
+    const auto links = level.links();
+    EXPECT_GE(jumps_up(links, 2), 8U);
+    expect_replays(level, links);
+    EXPECT_EQ(jumps_up(level_of(terrace(3.5)).links(), 2), 0U);
+}
+
 // Broken variant: proposals are kept without simulating them.
 TEST(NavigationLinks, ALowCeilingOverAGapLetsNobodyJump) {
     EXPECT_FALSE(level_of(gap(3)).links().empty());
