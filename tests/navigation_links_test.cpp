@@ -4,36 +4,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <surefoot/navigation_drive.hpp>
 #include <surefoot/navigation_links.hpp>
 #include <surefoot/navigation_query.hpp>
 
-#include "movement_scene.hpp"
+#include "navigation_link_levels.hpp"
 
 namespace surefoot::tests {
 namespace {
 
 using Kind = NavigationLinkKind;
-
-/// A level, the character in it, and the links that it has.
-struct Level {
-    World world;
-    CharacterSettings settings{};
-    NavigationOptions mesh_options{};
-    NavigationLinkOptions options{};
-    NavigationLinkReport report{};
-
-    [[nodiscard]] NavigationMesh mesh() const {
-        auto mesh = NavigationMesh::build(world, settings, mesh_options);
-        EXPECT_TRUE(mesh.has_value()) << mesh.error().text;
-        return *std::move(mesh);
-    }
-    [[nodiscard]] std::vector<NavigationLink> links() { return find_links(world, settings, mesh(), options, &report); }
-};
-
-Level level_of(const Scene& scene) {
-    return {.world = scene.world()};
-}
 
 double rise(const NavigationLink& link, const dvec3& up = {0, 1, 0}) {
     const dvec3 way = link.to - link.from;
@@ -50,17 +29,6 @@ std::size_t jumps_up(const std::vector<NavigationLink>& links, double least) {
     return static_cast<std::size_t>(std::count_if(links.begin(), links.end(), [&](const NavigationLink& link) {
         return link.kind == Kind::jump && rise(link) >= least;
     }));
-}
-
-Scene terrace(double height) {
-    Scene scene;
-    return scene.floor(-10, 10, -10, 10).block({-4, 0, -4}, {4, height, 4});
-}
-
-/// Two blocks, and a gap along x between them, so deep that nobody comes out of it.
-Scene gap(double width, double rise = 0) {
-    Scene scene;
-    return scene.block({-6, 0, -3}, {-width / 2, 20, 3}).block({width / 2, 0, -3}, {6, 20 + rise, 3});
 }
 
 /// A wall that is climbed, with ground before it and on top.
@@ -214,6 +182,19 @@ TEST(NavigationLinks, ABlockIsJumpedOntoAsHighAsTheCharacterJumps) {
     EXPECT_EQ(jumps_up(level_of(terrace(1.7)).links(), 0.8), 0U);
 }
 
+// Broken variant: what is higher than a jump is not proposed to hands.
+TEST(NavigationLinks, HandsHelpUpHigherBlocks) {
+    Level level = level_of(terrace(2.2));
+    EXPECT_EQ(jumps_up(level.links(), 2), 0U);
+    level.settings.ledge_reach = 0.3;
+    const auto links = level.links();
+    EXPECT_GE(jumps_up(links, 2), 8U);
+    expect_replays(level, links);
+    Level too_high = level_of(terrace(3.5));
+    too_high.settings.ledge_reach = 0.3;
+    EXPECT_EQ(jumps_up(too_high.links(), 2), 0U);
+}
+
 // Broken variant: proposals are kept without simulating them.
 TEST(NavigationLinks, ALowCeilingOverAGapLetsNobodyJump) {
     EXPECT_FALSE(level_of(gap(3)).links().empty());
@@ -361,85 +342,6 @@ TEST(NavigationLinks, AreFoundWithAnyUp) {
         EXPECT_NEAR(std::abs(rise(link, up)), 1, 0.2);
         EXPECT_EQ(replayed(level, link, up), link.end);
     }
-}
-
-/// Walks along a path's corners and over its links; where it comes to a stand.
-dvec3 followed(const Level& level, const NavigationMesh& mesh, const NavigationPath& path) {
-    CharacterState state = stand_at(level.world, level.settings, path.corners.front().position);
-    const double feet = mesh.agent().feet;
-    for (std::size_t i = 0; i + 1 < path.corners.size(); ++i) {
-        const NavigationCorner& corner = path.corners[i];
-        NavigationDrive driver{.feet = feet};
-        for (int ticks = 0; ticks < 600; ++ticks) {
-            CharacterInput input;
-            if (corner.link) {
-                input = drive(mesh.links()[*corner.link], driver, state, level.settings, 1.0 / 60);
-                EXPECT_NE(driver.status, NavigationDriveStatus::failed);
-                if (driver.status == NavigationDriveStatus::arrived) break;
-            } else {
-                const dvec3 way = path.corners[i + 1].position - state.position;
-                const double distance = std::hypot(way.x, way.z);
-                if (distance < 0.1) break;
-                input.wish = dvec3{way.x, 0, way.z} * (5 * std::min(1.0, 2 * distance) / distance);
-            }
-            state = step(level.world, level.settings, input, 1.0 / 60, state).state;
-        }
-    }
-    return state.position - dvec3{0, feet, 0};
-}
-
-// Broken variants: `set_links` forgets a link's number; the driver takes off anywhere.
-TEST(NavigationLinks, APathOverAGapHasTheLinkAndTheDriverGetsOver) {
-    Level level = level_of(gap(3));
-    NavigationMesh mesh = level.mesh();
-    const dvec3 start{-5, 20, -2};
-    const dvec3 goal{5, 20, 1.5};
-    {
-        const NavigationQuery query(mesh);
-        EXPECT_TRUE(query.path(*query.nearest(start, 1, 1), *query.nearest(goal, 1, 1))->partial);
-    }
-    const auto left_out = mesh.set_links(level.links());
-    ASSERT_TRUE(left_out.has_value());
-    EXPECT_EQ(*left_out, 0U);
-    const NavigationQuery query(mesh);
-    const auto path = query.path(*query.nearest(start, 1, 1), *query.nearest(goal, 1, 1));
-    ASSERT_TRUE(path && !path->partial);
-    EXPECT_EQ(std::count_if(path->corners.begin(), path->corners.end(), [](const auto& at) { return !!at.link; }), 1);
-    const dvec3 end = followed(level, mesh, *path);
-    EXPECT_LT(std::hypot(end.x - goal.x, end.z - goal.z), 0.3);
-    EXPECT_NEAR(end.y, goal.y, 0.1);
-}
-
-// Broken variant: a driver that waits for ever.
-TEST(NavigationDrive, FailsWhenTheWayIsNotThere) {
-    const Level level = level_of(gap(3));
-    const NavigationLink link{.from = {-3, 20, 0}, .to = {3, 20, 0}, .takeoff = {-2.3, 20, 0}, .kind = Kind::drop};
-    CharacterState state = stand_at(level.world, level.settings, link.from);
-    NavigationDrive driver{.feet = navigation_agent(level.settings).feet};
-    int ticks = 0;
-    for (; ticks < 600 && driver.status != NavigationDriveStatus::failed; ++ticks)
-        state = step(level.world, level.settings, drive(link, driver, state, level.settings, 1.0 / 60), 1.0 / 60, state)
-                    .state;
-    EXPECT_EQ(driver.status, NavigationDriveStatus::failed);
-    EXPECT_LT(ticks, 120);
-}
-
-// Broken variant: a push is not steered against.
-TEST(NavigationDrive, SteersBackWhoeverIsPushed) {
-    const Level level = level_of(gap(2));
-    const NavigationLink link{.from = {-3, 20, 0}, .to = {2, 20, 0}, .takeoff = {-1.1, 20, 0}, .kind = Kind::jump};
-    CharacterState state = stand_at(level.world, level.settings, link.from);
-    NavigationDrive driver{.feet = navigation_agent(level.settings).feet};
-    double pushed = 0;
-    for (int ticks = 0; ticks < 300 && driver.status != NavigationDriveStatus::arrived; ++ticks) {
-        CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
-        if (ticks == 2) input.impulse = {0, 0, 5};
-        if (!driver.airborne) pushed = std::max(pushed, state.position.z);
-        if (input.jump && state.footing == Footing::ground) EXPECT_LT(state.position.z, pushed / 2);
-        state = step(level.world, level.settings, input, 1.0 / 60, state).state;
-    }
-    EXPECT_GT(pushed, 0.15);
-    EXPECT_EQ(driver.status, NavigationDriveStatus::arrived);
 }
 
 }  // namespace

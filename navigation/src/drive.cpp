@@ -95,7 +95,8 @@ bool is_at(const Way& way, const dvec3& place, const CharacterSettings& settings
 
 /// Is the place out of reach for feet that stand, or fall?
 bool is_far_above(const Way& way, const dvec3& place, const CharacterState& state, const CharacterSettings& settings) {
-    const double above = way.above(place) - settings.step_up - at_place;
+    const double hands = settings.ledge_reach > 0 ? settings.hands_height : 0;
+    const double above = way.above(place) - std::max(settings.step_up, hands) - at_place;
     if (state.footing == Footing::ground) return above > 2 * length(way.to(place));
     const double rising = std::max(0.0, way.rising(state));
     return state.footing == Footing::air && settings.gravity > 0 && above > rising * rising / (2 * settings.gravity);
@@ -148,7 +149,7 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
     if (drive.status == Status::under_way) watch(drive, way, link, state, settings);
     drive.seconds += dt;
     drive.grounded = drive.landed ? drive.grounded + dt : 0;
-    const bool rests = length(state.velocity) < 0.02 * link.speed;
+    const bool rests = state.hold == Hold::none && length(state.velocity) < 0.02 * link.speed;
     drive.stalled = drive.status == Status::under_way && rests ? drive.stalled + dt : 0;
 
     switch (drive.status) {

@@ -26,9 +26,15 @@ double jump_range(const CharacterSettings& settings, double speed, double rise) 
     return speed * (up + std::sqrt(squared)) / settings.gravity;
 }
 
+double highest_jump(const CharacterSettings& settings, double radius) {
+    // A round body gets over an edge a little before its feet do; hands pull it up.
+    const double over = settings.ledge_reach > 0 ? std::max(settings.hands_height, radius / 2) : radius / 2;
+    return std::max(settings.jump_height + over, settings.vault_height);
+}
+
 double longest_jump(const CharacterSettings& settings, const NavigationLinkOptions& options) {
     // Whoever falls for longer gets farther, but a way down is taken nearer by.
-    return std::max(1.0, 1.25 * jump_range(settings, options.run_speed, 0) + 2 * inset);
+    return std::max({1.0, 1.25 * jump_range(settings, options.run_speed, 0) + 2 * inset, highest_jump(settings, 1)});
 }
 
 LinkProposer::LinkProposer(const LinkGround& ground)
@@ -134,10 +140,11 @@ void LinkProposer::add_crossings(const BorderPlace& place) {
         std::uint32_t number = 0;
     };
     std::vector<Goal> goals;
+    const double highest = highest_jump(ground_.settings, agent_.radius);
     ground_.spots.any_near(place.place, [&](std::uint32_t number) {
         const BorderPlace& goal = ground_.places[number];
         const double rise = above(place.place, goal.place);
-        if (rise < -options.deepest_drop || rise > ground_.settings.jump_height + agent_.radius / 2) return false;
+        if (rise < -options.deepest_drop || rise > highest) return false;
         const dvec3 way = level(goal.place - place.place);
         const double distance = length(way);
         const double range =

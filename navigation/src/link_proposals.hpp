@@ -32,6 +32,9 @@ struct LinkGround {
 /// How far a jump leads that ends so much higher, seen from above [m]; 0 if it does not rise so high.
 [[nodiscard]] double jump_range(const CharacterSettings& settings, double speed, double rise);
 
+/// How high a jump leads, by hands too [m].
+[[nodiscard]] double highest_jump(const CharacterSettings& settings, double radius);
+
 /// No proposal goes farther than this [m].
 [[nodiscard]] double longest_jump(const CharacterSettings& settings, const NavigationLinkOptions& options);
 
