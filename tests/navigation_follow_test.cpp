@@ -226,6 +226,20 @@ TEST(NavigationFollow, LeavesForbiddenGroundByTheShortestWay) {
     EXPECT_LT(walker.farthest_off_mesh, 0.1);
 }
 
+// Broken variant: at the end of the line the speed is zero, however far the goal is from the feet.
+TEST(NavigationFollow, ComesBackToAGoalThatItWasPushedPast) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    const dvec3 goal{-5, 0, 0};
+    walker.at({-5, 0, -6}).to(goal);
+    while (walker.from_goal(goal) > 0.6) walker.tick();
+    walker.tick({0, 3, 0});
+    EXPECT_EQ(walker.run(4), Status::arrived);
+    EXPECT_EQ(walker.follower.plans(), 1U);
+}
+
 // Broken variant: no clock on progress: it runs against the wall for ever.
 TEST(NavigationFollow, GivesUpAgainstAWallThatTheMeshDoesNotKnow) {
     const NavigationMesh mesh = built(walled().world());

@@ -21,6 +21,8 @@ constexpr double between_checks = 0.25;  ///< looks for shut doors so often [s]
 constexpr double hand_over = 0.5;        ///< so far from a link's beginning the driver takes over [m]
 constexpr double counts = 0.25;          ///< the least progress that counts [m]
 constexpr double counts_anew = 1;        ///< so much nearer to the goal than ever, attempts are counted anew [m]
+constexpr double gentle = 0.25;          ///< of the deceleration, before a link
+constexpr double slowest = 0.5;          ///< before a link [m/s]
 constexpr double back = 0.5;             ///< it may be pushed back along the line so far without a new plan [m]
 
 }  // namespace
@@ -256,10 +258,16 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
     const dvec3 feet = state.position - up * agent.feet;
     const dvec3 way = level(aim_ - feet, up);
     const double distance = length(way);
-    // Ice gives feet less to brake by. A fifth is kept for what is not foreseen.
-    const double grip = state.footing == Footing::ground ? settings.surfaces[state.ground_surface].grip : 1;
+    // Ice gives feet less to brake by, and air less still. A fifth is kept for what is not foreseen.
+    const double grip = state.footing == Footing::air ? settings.air_acceleration / std::max(settings.braking, 1e-9)
+                                                      : settings.surfaces[state.ground_surface].grip;
     const double deceleration = std::max(0.8 * grip * std::min(settings.braking, settings.acceleration), 0.1);
-    double speed = navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
+    // Beside the line's end, or pushed past it, there is still a way to go.
+    const double ahead = aim >= stop ? std::max(stop - along_, distance) : stop - along_;
+    double speed =
+        navigation::speed_here(line_, up, along_, along_ + ahead, deceleration, agent.radius / 2, options_.speed);
+    // Links begin at edges, where ground is rough and an early drop would carry it past: it comes up to them gently.
+    if (stop < line_.length()) speed = std::min(speed, std::sqrt(2 * gentle * deceleration * ahead) + slowest);
     // From one tick to the next it goes no farther than to where it stops.
     if (aim >= stop) speed = std::min(speed, distance / dt);
     CharacterInput input{.up = up};
