@@ -35,9 +35,7 @@ struct Found {
 class Finder {
 public:
     explicit Finder(const LinkGround& ground)
-        : ground_(ground),
-          proposer_(ground),
-          proof_(ground.world, ground.settings, ground.mesh, ground.islands, ground.options) {}
+        : proposer_(ground), proof_(ground.world, ground.settings, ground.mesh, ground.islands, ground.options) {}
 
     [[nodiscard]] Found from(const BorderPlace& place) { return proven(proposer_.from(place)); }
 
@@ -57,7 +55,6 @@ public:
     }
 
 private:
-    const LinkGround& ground_;
     LinkProposer proposer_;
     LinkProof proof_;
 };

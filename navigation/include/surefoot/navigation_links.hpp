@@ -54,7 +54,7 @@ struct NavigationLinkReport {
     std::size_t tried[4] = {};  ///< were simulated
     std::size_t done[4] = {};   ///< the character got over, with all margins
     std::size_t kept[4] = {};   ///< after thinning out
-    std::uint64_t ticks = 0;    ///< that were simulated
+    std::uint64_t ticks = 0;    ///< that were simulated on the way
     double seconds = 0;
 };
 
