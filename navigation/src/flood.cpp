@@ -59,9 +59,10 @@ public:
         : world_(world),
           settings_(settings),
           mesh_(mesh),
+          agent_(navigation_agent(settings)),
           frame_(mesh.state().plan.frame),
           options_(options),
-          side_(options.cell > 0 ? options.cell : mesh.agent().radius) {
+          side_(options.cell > 0 ? options.cell : agent_.radius) {
         settings_.jump_height = 0;
     }
 
@@ -99,13 +100,13 @@ private:
     }
     [[nodiscard]] dvec3 feet_of(const CharacterState& state) const {
         dvec3 feet = frame_.turned_in(state.position - frame_.origin);
-        feet.y -= mesh_.agent().feet;
+        feet.y -= agent_.feet;
         return feet;
     }
 
     /// Puts a character on the ground at a place and walks it to the middle of its cell.
     void stand(const dvec3& seed) {
-        CharacterState state{.position = seed + frame_.y * (mesh_.agent().feet + mesh_.agent().climb / 2)};
+        CharacterState state{.position = seed + frame_.y * (agent_.feet + agent_.climb / 2)};
         const Landing landing = walk(state, column_of(frame_.turned_in(seed - frame_.origin)), 0);
         if (landing.arrived) find_or_add(landing.cell);
     }
@@ -180,8 +181,8 @@ private:
             for (auto found = first; found != last; ++found) {
                 const NavigationLink& link = mesh_.links()[found->second];
                 const dvec3 from = frame_.turned_in(link.from - frame_.origin);
-                if (std::abs(from.y - cells_[cell].feet.y) > mesh_.agent().height / 2) continue;
-                CharacterState state{.position = link.to + frame_.y * (mesh_.agent().feet + mesh_.agent().climb / 2)};
+                if (std::abs(from.y - cells_[cell].feet.y) > agent_.height / 2) continue;
+                CharacterState state{.position = link.to + frame_.y * (agent_.feet + agent_.climb / 2)};
                 const Landing landing =
                     walk(state, column_of(frame_.turned_in(link.to - frame_.origin)), static_cast<std::uint32_t>(cell));
                 if (!landing.arrived) continue;
@@ -199,7 +200,7 @@ private:
     std::pair<std::size_t, bool> find_or_add(const Cell& cell) {
         std::vector<std::uint32_t>& storeys = columns_[column_of(cell.feet)];
         for (const std::uint32_t known : storeys)
-            if (std::abs(cells_[known].feet.y - cell.feet.y) < mesh_.agent().height / 2) return {known, false};
+            if (std::abs(cells_[known].feet.y - cell.feet.y) < agent_.height / 2) return {known, false};
         storeys.push_back(static_cast<std::uint32_t>(cells_.size()));
         cells_.push_back(cell);
         return {cells_.size() - 1, true};
@@ -229,6 +230,7 @@ private:
     const World& world_;
     CharacterSettings settings_;
     const NavigationMesh& mesh_;
+    NavigationAgent agent_;  // of the feet, which the mesh's may not be
     const Frame& frame_;
     NavigationFloodOptions options_;
     double side_;

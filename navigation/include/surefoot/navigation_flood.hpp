@@ -17,7 +17,7 @@ namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
 struct NavigationFloodOptions {
-    double cell = 0;                     ///< the side of a cell of the grid [m, > 0]; 0: the agent's radius
+    double cell = 0;                     ///< the side of a cell of the grid [m, > 0]; 0: the character's radius
     double speed = 5;                    ///< of a move from cell to cell [m/s, > 0]
     double longest_fall = 1;             ///< a character that is in the air for longer is lost [s, >= 0]
     std::size_t most_cells = 4'000'000;  ///< the flood ends there [> 0]
@@ -45,7 +45,7 @@ struct NavigationFlood {
 };
 
 /// Floods from the ground under `seeds` (places of feet, as far as the agent is high above it). A link whose beginning
-/// is reached leads to its end, since its simulation did. `mesh` lends its grid, its agent, `up` and the links; its
+/// is reached leads to its end, since its simulation did. `mesh` lends its frame, `up` and the links; its
 /// polygons are not looked at.
 [[nodiscard]] NavigationFlood flood_by_feet(const World& world, const CharacterSettings& settings,
                                             const NavigationMesh& mesh, std::span<const dvec3> seeds,
