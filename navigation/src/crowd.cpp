@@ -176,8 +176,8 @@ dvec3 kept_on_mesh(const QueryState& query, const Member& member, const dvec3& v
 bool is_beside_goal(const CrowdState& crowd, std::size_t index, const Neighbours& near) {
     const NavigationFollower& follower = crowd.members[index]->follower;
     const double radius = crowd.mesh->agent().radius;
-    // So far out all of them would stand if they stood in a disc.
-    const double disc = 2.5 * radius * std::sqrt(static_cast<double>(crowd.members.size()));
+    // All of them in a disc would stand half as far out; they come from one side.
+    const double disc = 4 * radius * std::sqrt(static_cast<double>(crowd.members.size()));
     if (!crowd.options.arrive_beside || follower.line().points.empty() || follower.left() > disc) return false;
     const double touching = 2.5 * radius;
     for (std::size_t i = 0; i < near.count; ++i) {
