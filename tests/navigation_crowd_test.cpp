@@ -158,6 +158,36 @@ TEST(NavigationCrowd, EverybodyTakesTheLink) {
     EXPECT_EQ(many.arrived(), count);
 }
 
+// Broken variant: everybody jumps when it comes to the edge; whoever is touched before the jump falls short.
+TEST(NavigationCrowd, OneAfterTheOtherJumpsOverAGap) {
+    Scene scene;
+    scene.floor(-14, 0, -1.5, 1.5).floor(2.5, 16, -1.5, 1.5);
+    const World world = scene.world();
+    NavigationMesh mesh = built(world);
+    const std::array<NavigationLink, 2> jumps{NavigationLink{.from = {-2, 0, 0},
+                                                             .to = {3.5, 0, 0},
+                                                             .takeoff = {-0.2, 0, 0},
+                                                             .kind = NavigationLinkKind::jump,
+                                                             .seconds = 1.2,
+                                                             .inputs = {}},
+                                              NavigationLink{.from = {4.5, 0, 0},
+                                                             .to = {-1, 0, 0},
+                                                             .takeoff = {2.7, 0, 0},
+                                                             .kind = NavigationLinkKind::jump,
+                                                             .seconds = 1.2,
+                                                             .inputs = {}}};
+    const auto left_out = mesh.set_links(jumps);
+    ASSERT_TRUE(left_out && *left_out == 0);
+    constexpr std::size_t count = 6;
+    Many many{.world = world, .mesh = mesh, .count = count};
+    for (std::size_t i = 0; i < count; ++i)
+        many.put(i, {-12 + 1.2 * static_cast<double>(i / 2), 0, i % 2 == 0 ? -0.7 : 0.7},
+                 {14 - 1.2 * static_cast<double>(i / 2), 0, i % 2 == 0 ? -0.7 : 0.7});
+    many.run(60);
+    EXPECT_EQ(many.arrived(), count);
+    EXPECT_GT(many.lowest, -0.5) << "somebody fell";
+}
+
 // Broken variant: reading what others were told in this very tick.
 TEST(NavigationCrowd, IsTheSameHoweverTheWorkIsCut) {
     const World world = open_floor().world();

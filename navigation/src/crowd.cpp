@@ -24,6 +24,8 @@ struct AvoidanceFreed {
 
 constexpr int most_heeded = 6;
 constexpr int most_borders = 8;
+constexpr double queue_length = 2.5;  ///< who is so near to a link waits for it [m]
+constexpr double beside_link = 2;     ///< links whose ends are so near are one to those who wait [m]
 
 struct WorkerState {
     NavigationQuery query;
@@ -45,6 +47,9 @@ struct Seen {
     vec3 wanted{0, 0, 0};
     dvec3 goal{0, 0, 0};
     bool is_there = false;
+    bool on_link = false;
+    std::optional<std::uint32_t> link{};  ///< that it is on, or soon will be
+    float to_link = 0;                    ///< how far off that begins, squared and seen from above
 };
 
 struct CrowdState {
@@ -54,6 +59,7 @@ struct CrowdState {
     std::vector<CharacterState> states;
     std::vector<vec3> places;  ///< of feet, in the frame
     std::vector<Seen> seen;
+    std::vector<std::uint32_t> linked;  ///< those with a link
     CrowdGrid grid;
 };
 
@@ -122,6 +128,26 @@ vec3 pushed_apart(const CrowdState& crowd, std::size_t index, const Neighbours& 
         push += vec3{off.x * share, 0, off.z * share};
     }
     return push;
+}
+
+/// Is somebody on its next link or on one that begins or ends beside it, or first in the queue? In the air nobody can
+/// dodge, and a push before a jump is a jump too short.
+bool is_link_taken(const CrowdState& crowd, std::size_t index) {
+    const std::span<const NavigationLink> links = crowd.mesh->links();
+    const std::optional<std::uint32_t> mine = crowd.seen[index].link;
+    if (!mine || *mine >= links.size() || crowd.seen[index].on_link) return false;
+    const NavigationLink& link = links[*mine];
+    const float mine_to = crowd.seen[index].to_link;
+    for (const std::uint32_t other : crowd.linked) {
+        const Seen& seen = crowd.seen[other];
+        if (other == index) continue;
+        const bool is_first = seen.to_link != mine_to ? seen.to_link < mine_to : other < index;
+        if (!seen.on_link && !is_first) continue;
+        const NavigationLink& theirs = links[*seen.link];
+        for (const dvec3& end : {link.from, link.to})
+            if (length(end - theirs.from) < beside_link || length(end - theirs.to) < beside_link) return true;
+    }
+    return false;
 }
 
 /// What it wants, bent by those who are near and by borders.
@@ -261,6 +287,7 @@ bool NavigationCrowd::gather(std::span<const CharacterState> states) {
     crowd.states.assign(states.begin(), states.end());
     crowd.places.resize(states.size());
     crowd.seen.resize(states.size());
+    crowd.linked.clear();
     for (std::size_t i = 0; i < states.size(); ++i) {
         const Member& member = *crowd.members[i];
         crowd.places[i] = frame.in(states[i].position - feet);
@@ -268,7 +295,14 @@ bool NavigationCrowd::gather(std::span<const CharacterState> states) {
         crowd.seen[i] = {.velocity = {static_cast<float>(velocity.x), 0, static_cast<float>(velocity.z)},
                          .wanted = member.wanted,
                          .goal = member.follower.goal().position,
-                         .is_there = member.follower.status() == NavigationFollowStatus::arrived};
+                         .is_there = member.follower.status() == NavigationFollowStatus::arrived,
+                         .on_link = member.follower.on_link(),
+                         .link = member.follower.next_link(navigation::queue_length)};
+        const std::span<const NavigationLink> links = crowd.mesh->links();
+        if (!crowd.seen[i].link || *crowd.seen[i].link >= links.size()) continue;
+        const vec3 off = frame.in(links[*crowd.seen[i].link].from) - crowd.places[i];
+        crowd.seen[i].to_link = off.x * off.x + off.z * off.z;
+        crowd.linked.push_back(static_cast<std::uint32_t>(i));
     }
     crowd.grid.fill(crowd.places, static_cast<float>(crowd.options.range));
     return true;
@@ -283,6 +317,7 @@ void NavigationCrowd::steer(NavigationCrowdWorker& worker, const CharacterSettin
     for (std::size_t i = range.begin; i < std::min(range.end, inputs.size()); ++i) {
         Member& member = *crowd.members[i];
         CharacterInput& input = inputs[i];
+        member.follower.hold(navigation::is_link_taken(crowd, i));
         input = member.follower.input(query, crowd.states[i], settings, dt);
         if (member.follower.status() == NavigationFollowStatus::following && !member.follower.on_link() &&
             crowd.options.avoidance != NavigationAvoidance::none) {

@@ -22,6 +22,7 @@ constexpr double hand_over = 0.5;        ///< so far from a link's beginning the
 constexpr double counts = 0.25;          ///< the least progress that counts [m]
 constexpr double counts_anew = 1;        ///< so much nearer to the goal than ever, attempts are counted anew [m]
 constexpr double gentle = 0.25;          ///< of the deceleration, before a link
+constexpr double hold_before = 1.5;      ///< so far before a link that is taken it waits [m]
 constexpr double slowest = 0.5;          ///< before a link [m/s]
 constexpr double back = 0.5;             ///< it may be pushed back along the line so far without a new plan [m]
 
@@ -268,6 +269,7 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
         navigation::speed_here(line_, up, along_, along_ + ahead, deceleration, agent.radius / 2, options_.speed);
     // Links begin at edges, where ground is rough and an early drop would carry it past: it comes up to them gently.
     if (stop < line_.length()) speed = std::min(speed, std::sqrt(2 * gentle * deceleration * ahead) + slowest);
+    if (holds_) speed = std::min(speed, std::sqrt(2 * gentle * deceleration * std::max(ahead - hold_before, 0.0)));
     // From one tick to the next it goes no farther than to where it stops.
     if (aim >= stop) speed = std::min(speed, distance / dt);
     CharacterInput input{.up = up};
@@ -279,9 +281,18 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
     return input;
 }
 
+std::optional<std::uint32_t> NavigationFollower::next_link(double within) const noexcept {
+    if (status_ != Status::following) return std::nullopt;
+    if (drives_) return link_id_;
+    for (const NavigationLine::Point& point : line_.points)
+        if (point.link && point.along >= begin_ - 1e-6)
+            return point.along - along_ <= within ? point.link : std::nullopt;
+    return std::nullopt;
+}
+
 bool NavigationFollower::begin_link(const NavigationQuery& query) {
     const double stop = navigation::next_stop(line_, begin_);
-    if (stop - along_ > hand_over) return false;
+    if (holds_ || stop - along_ > hand_over) return false;
     const auto point = std::find_if(line_.points.begin(), line_.points.end(),
                                     [&](const NavigationLine::Point& p) { return p.link && p.along >= stop - 1e-6; });
     if (point == line_.points.end() || point->along > stop + 1e-6) return false;
@@ -300,6 +311,7 @@ bool NavigationFollower::begin_link(const NavigationQuery& query) {
              .tick = link.tick,
              .inputs = {}};
     drive_ = {.up = query.mesh().up(), .feet = query.mesh().agent().feet};
+    link_id_ = *point->link;
     drives_ = true;
     begin_ = (point + 1)->along;
     return true;
@@ -365,7 +377,7 @@ CharacterInput NavigationFollower::input(const NavigationQuery& query, const Cha
         return still;
     }
     if (begin_link(query)) return drive_link(query, state, settings, dt);
-    watch(state, dt);
+    watch(state, holds_ ? dt / 8 : dt);  // a queue takes its time
     if (status_ != Status::following) return still;
     return walk(query, state, settings, dt);
 }

@@ -120,6 +120,12 @@ public:
     [[nodiscard]] std::size_t links() const noexcept { return links_; }  ///< how many links it went over since
     [[nodiscard]] bool on_link() const noexcept { return drives_; }      ///< the driver has it
 
+    /// The link that it is on, or else the one that begins at most so far along the line from here [m].
+    [[nodiscard]] std::optional<std::uint32_t> next_link(double within) const noexcept;
+
+    /// Whether to wait before the next link, because somebody else is on it, instead of going over it.
+    void hold(bool holds) noexcept { holds_ = holds; }
+
 private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
@@ -161,7 +167,9 @@ private:
     std::size_t links_ = 0;
     NavigationLink link_;  ///< that is gone over; without its inputs
     NavigationDrive drive_{};
+    std::uint32_t link_id_ = 0;
     bool drives_ = false;
+    bool holds_ = false;
     bool wants_plan_ = false;
 };
 
