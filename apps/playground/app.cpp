@@ -79,7 +79,8 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
         app->toasts_.say(std::string(view::gl_is_software() ? "No graphics card was found: shadows" : "Shadows") +
                          ", smoothing and thin edges are off. --preset full turns them on.");
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
-                              app->chooser_, *app->levels_, options.headless, options.level});
+                              app->chooser_, *app->levels_, options.headless, options.level, options.scene,
+                              options.ghost_command});
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.room);
     return app;

@@ -5,6 +5,7 @@
 
 #include <surefoot/version.hpp>
 
+#include "course/catalogue.hpp"
 #include "playground/room.hpp"
 
 namespace surefoot::playground {
@@ -15,6 +16,7 @@ Examples:
   surefoot-playground
   surefoot-playground --room walk --level castle.obj
   surefoot-playground --room walk --level levels/training-ground.glb --headless --frames 30 --screenshot out.png
+  surefoot-playground --room course --scene stairs-up --ghost-exec 'node my-mover.mjs'
   surefoot-playground --headless --script tour.txt --size 1280x720 --preset software
 
 Without --room it begins on the start screen. F1 shows the keys. docs/playground.md tells how scripts are written.
@@ -43,6 +45,21 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
     std::string size;
     program.add_option("--room", options.room, "Enter this room at once")->check(CLI::IsMember(ids));
     program.add_option("--level", options.level, "The level: .surefoot, or any file that `surefoot cook` reads");
+    program.add_option("--scene", options.scene, "Of the course, for --room course")
+        ->check([](const std::string& name) {
+            std::string all;
+            for (const course::Scene& scene : course::all_scenes()) {
+                if (scene.name == name) return std::string();
+                all += (all.empty() ? "" : ", ") + scene.name;
+            }
+            return "there is no scene " + name + ": " + all;
+        })
+        ->type_name("NAME");
+    program
+        .add_option(
+            "--ghost-exec", options.ghost_command,
+            "For --room course: a program, started by the shell, that walks beside ours (docs/course-protocol.md)")
+        ->type_name("PROGRAM");
     program.add_flag("--headless", options.headless,
                      "Draw without a display; time goes by frames, so every run is alike");
     program.add_option("--script", options.scripts,

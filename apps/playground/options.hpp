@@ -21,6 +21,8 @@ enum class ExitCode : int {
 struct Options {
     std::string room;
     std::string level;
+    std::string scene;          ///< of the course
+    std::string ghost_command;  ///< a program that walks it
     bool headless = false;
     std::vector<std::string> scripts;  ///< played one after the other
     std::optional<int> frames;

@@ -29,9 +29,11 @@ struct Stage {
     view::FileBrowser& browser;
     view::Chooser& chooser;
     LevelLoader& levels;
-    bool headless = false;  ///< no user is there: nothing of the machine's but what was asked for
-    std::string level{};    ///< from the command line; empty if none was named
-    double waiting = 0;     ///< time that has passed since the room's last tick [s, less than a tick]
+    bool headless = false;        ///< no user is there: nothing of the machine's but what was asked for
+    std::string level{};          ///< from the command line; empty if none was named
+    std::string scene{};          ///< of the course, likewise
+    std::string ghost_command{};  ///< a program that walks it beside ours, likewise
+    double waiting = 0;           ///< time that has passed since the room's last tick [s, less than a tick]
 
     // What these call back belongs to the room that is open: once that is left, `done` is never called.
 

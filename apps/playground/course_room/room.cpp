@@ -32,6 +32,10 @@ public:
     void enter(Stage& stage) override {
         stage_ = &stage;
         scenes_ = course::all_scenes();
+        for (std::size_t i = 0; i < scenes_.size(); ++i)
+            if (scenes_[i].name == stage.scene) choice_.scene = i;
+        choice_.other = {.command = stage.ghost_command};
+        panel_.type_command(stage.ghost_command);
         choose();
     }
 
@@ -80,6 +84,7 @@ private:
 
     void choose() {
         race_.emplace(scenes_[choice_.scene].runs[choice_.run], choice_.other);
+        panel_.tell_failure(race_->other() ? race_->other()->outing.failure : std::string());
         models_.clear();
         for (const course::LevelBody& body : race_->run().level->bodies) {
             const auto mesh = Mesh::build({.vertices = body.triangles.vertices, .indices = body.triangles.indices});
@@ -213,7 +218,8 @@ void CourseRoom::time_bar(double left) {
                                                        : "in the air");
         if (race_->other()) {
             text += fmt::format("; {} is {:.3f} m away", race_->other()->name, race_->gap_at(time_));
-            if (!race_->other()->outing.failure.empty()) text += ", and gave up: " + race_->other()->outing.failure;
+            if (!race_->other()->outing.failure.empty())
+                text += fmt::format(", and gave up at {:.2f} s", race_->other()->outing.last().time);
         }
         ui::key_colour(view::paint::hit, text);
         if (ui::button(runs_ ? "Pause##run" : "Run##run")) toggle();
