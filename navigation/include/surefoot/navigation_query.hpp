@@ -112,6 +112,9 @@ public:
 
     [[nodiscard]] const NavigationMesh& mesh() const noexcept;
 
+    /// For the parts of the wing.
+    [[nodiscard]] const navigation::QueryState& state() const noexcept { return *state_; }
+
 private:
     std::unique_ptr<navigation::QueryState> state_;
 };

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+
+#include <surefoot/navigation_drive.hpp>
+
+#include "frame.hpp"
+
+namespace surefoot {
+inline namespace v0 {
+namespace {
+
+using navigation::dot;
+using navigation::length;
+using Status = NavigationDriveStatus;
+
+/// So near to a place is at it [m].
+constexpr double at_place = 0.15;
+/// Somebody who runs aims at the line so far ahead [m].
+constexpr double look_ahead = 0.5;
+/// Whoever is so slow when the link begins can be going anywhere [m/s].
+constexpr double slow = 1;
+
+constexpr double longest_approach = 4;  ///< [s]
+/// Above twice the time that the simulated character took [s].
+constexpr double spare = 2;
+constexpr double longest_unknown = 15;  ///< of a link whose time is not known [s]
+
+/// The link as seen by whoever is on it.
+class Way {
+public:
+    Way(const NavigationLink& link, const NavigationDrive& drive, const CharacterState& state)
+        : up_(drive.up / length(drive.up)), feet_(state.position - up_ * drive.feet), link_(link) {
+        dvec3 way = level(link.takeoff - link.from);
+        run_ = length(way);
+        if (run_ < 1e-9) {
+            run_ = 0;
+            way = level(link.to - link.from);
+        }
+        const double size = length(way);
+        if (size > 1e-9) forward_ = way / size;
+    }
+
+    [[nodiscard]] dvec3 level(const dvec3& v) const { return v - up_ * dot(v, up_); }
+    [[nodiscard]] dvec3 to(const dvec3& place) const { return level(place - feet_); }
+    /// How far a place is above the feet.
+    [[nodiscard]] double above(const dvec3& place) const { return dot(place - feet_, up_); }
+    [[nodiscard]] double rising(const CharacterState& state) const { return dot(state.velocity, up_); }
+    /// How far along the run the feet are.
+    [[nodiscard]] double along() const { return dot(feet_ - link_.from, forward_); }
+    [[nodiscard]] double run() const { return run_; }
+    [[nodiscard]] const dvec3& forward() const { return forward_; }
+
+    /// Back to the line and along it.
+    [[nodiscard]] dvec3 on_line(double speed) const {
+        const dvec3 off = level(feet_ - link_.from);
+        const dvec3 aim = forward_ * look_ahead - (off - forward_ * dot(off, forward_));
+        const double size = length(aim);
+        return size > 0 ? aim * (speed / size) : dvec3{0, 0, 0};
+    }
+
+private:
+    dvec3 up_;
+    dvec3 feet_;
+    const NavigationLink& link_;
+    dvec3 forward_{0, 0, 0};
+    double run_ = 0;
+};
+
+dvec3 at_speed(const dvec3& way, double speed) {
+    const double size = length(way);
+    return size > 1e-9 ? way * (speed / size) : dvec3{0, 0, 0};
+}
+
+/// Towards a place, so slowly at last that half the braking stops there.
+dvec3 to_stop_at(const dvec3& way, double speed, const CharacterSettings& settings, double dt) {
+    const double distance = length(way);
+    return at_speed(way, std::min({speed, std::sqrt(settings.braking * distance), distance / dt}));
+}
+
+/// With the velocity that comes down on the place, as far as the speed allows.
+dvec3 to_land_at(const Way& way, const NavigationLink& link, const CharacterState& state,
+                 const CharacterSettings& settings, double dt) {
+    const dvec3 aside = way.to(link.to);
+    const double rising = way.rising(state);
+    const double squared = rising * rising - 2 * settings.gravity * way.above(link.to);
+    if (!(squared > 0) || !(settings.gravity > 0)) return at_speed(aside, link.speed);
+    const double time = std::max((rising + std::sqrt(squared)) / settings.gravity, dt);
+    return at_speed(aside, std::min(link.speed, length(aside) / time));
+}
+
+bool is_at(const Way& way, const dvec3& place, const CharacterSettings& settings) {
+    return length(way.to(place)) <= at_place && std::abs(way.above(place)) <= std::max(settings.step_up, at_place);
+}
+
+/// Is the place out of reach for feet that stand?
+bool is_far_above(const Way& way, const dvec3& place, const CharacterSettings& settings) {
+    return way.above(place) > settings.step_up + at_place + 2 * length(way.to(place));
+}
+
+bool may_begin(const Way& way, const NavigationLink& link, const CharacterState& state) {
+    if (state.footing != Footing::ground || length(way.to(link.from)) > at_place) return false;
+    const dvec3 velocity = way.level(state.velocity);
+    const double speed = length(velocity);
+    return speed <= slow || dot(velocity, way.forward()) > 0.8 * speed;
+}
+
+void become(NavigationDrive& drive, Status status) {
+    drive.status = status;
+    drive.seconds = 0;
+}
+
+void watch(NavigationDrive& drive, const Way& way, const NavigationLink& link, const CharacterState& state,
+           const CharacterSettings& settings) {
+    const double longest = link.seconds > 0 ? 2 * link.seconds + spare : longest_unknown;
+    if (state.footing == Footing::air) {
+        drive.airborne = true;
+        drive.landed = false;
+    } else if (drive.airborne && state.footing == Footing::ground) {
+        drive.landed = true;
+    }
+    const bool is_stranded = drive.landed && link.kind != NavigationLinkKind::ladder && drive.grounded > 0.25 &&
+                             is_far_above(way, link.to, settings);
+    const bool is_over = way.along() >= way.run() && (!drive.pressed || drive.airborne);
+    if (state.footing == Footing::ground && is_over && is_at(way, link.to, settings))
+        become(drive, Status::arrived);
+    else if (drive.seconds > longest || is_stranded)
+        become(drive, Status::failed);
+}
+
+}  // namespace
+
+CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const CharacterState& state,
+                     const CharacterSettings& settings, double dt) noexcept {
+    const Way way(link, drive, state);
+    CharacterInput input{.up = drive.up};
+    if (drive.status == Status::approaching) {
+        if (may_begin(way, link, state))
+            become(drive, Status::under_way);
+        else if (drive.seconds > longest_approach)
+            become(drive, Status::failed);
+    }
+    if (drive.status == Status::under_way) watch(drive, way, link, state, settings);
+    drive.seconds += dt;
+    drive.grounded = drive.landed ? drive.grounded + dt : 0;
+
+    switch (drive.status) {
+        case Status::approaching: input.wish = to_stop_at(way.to(link.from), link.speed, settings, dt); break;
+        case Status::under_way: {
+            const bool jumps = link.kind == NavigationLinkKind::jump;
+            const double next = std::max(0.0, dot(way.level(state.velocity), way.forward())) * dt;
+            if (jumps && !drive.pressed && way.along() + next / 2 >= way.run()) drive.pressed = input.jump = true;
+            // Held while it rises: a jump that is let go is a low one.
+            if (drive.pressed && !drive.landed && (!drive.airborne || way.rising(state) > 0)) input.jump = true;
+            if (drive.landed)
+                input.wish = to_stop_at(way.to(link.to), link.speed, settings, dt);
+            else if (link.kind == NavigationLinkKind::ladder || link.kind == NavigationLinkKind::step_up)
+                input.wish = way.along() < way.run() ? way.on_line(link.speed) : at_speed(way.to(link.to), link.speed);
+            else if (state.footing == Footing::air)
+                input.wish = to_land_at(way, link, state, settings, dt);
+            else
+                input.wish = way.along() < way.run() + look_ahead ? way.on_line(link.speed)
+                                                                  : at_speed(way.to(link.to), link.speed);
+            break;
+        }
+        case Status::arrived:
+        case Status::failed: break;
+    }
+    return input;
+}
+
+}  // namespace v0
+}  // namespace surefoot

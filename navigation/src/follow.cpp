@@ -1,0 +1,315 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <surefoot/navigation_follow.hpp>
+
+#include "follow_line.hpp"
+#include "follow_sight.hpp"
+
+namespace surefoot {
+inline namespace v0 {
+namespace {
+
+using navigation::dot;
+using navigation::length;
+using navigation::level;
+using Status = NavigationFollowStatus;
+using Reason = NavigationFollowReason;
+
+constexpr double between_checks = 0.25;  ///< looks for shut doors so often [s]
+constexpr double hand_over = 0.5;        ///< so far from a link's beginning the driver takes over [m]
+constexpr double counts = 0.25;          ///< the least progress that counts [m]
+constexpr double counts_anew = 1;        ///< so much nearer to the goal than ever, attempts are counted anew [m]
+constexpr double back = 0.5;             ///< it may be pushed back along the line so far without a new plan [m]
+
+}  // namespace
+
+std::string_view sentence(NavigationFollowReason reason) noexcept {
+    switch (reason) {
+        case Reason::none: return "it did not give up";
+        case Reason::off_mesh: return "the navigation mesh has no ground near the character";
+        case Reason::goal_off_mesh: return "the navigation mesh has no ground near the goal";
+        case Reason::no_path: return "no path leads from the character to the goal";
+        case Reason::stuck: return "the character ran on and got no nearer to the goal, however often it planned";
+        case Reason::link_failed: return "a link was tried again and again and did not lead to its end";
+    }
+    return "unknown";
+}
+
+void NavigationFollower::give_up(NavigationFollowReason reason) noexcept {
+    status_ = Status::gave_up;
+    reason_ = reason;
+}
+
+void NavigationFollower::stop() noexcept {
+    status_ = Status::idle;
+    reason_ = Reason::none;
+    drives_ = false;
+    place_ = {};
+}
+
+void NavigationFollower::go(const NavigationQuery& query, const dvec3& goal) {
+    const std::optional<NavigationPoint> found =
+        query.nearest(goal, options_.beside_mesh, std::max(options_.beside_mesh, query.mesh().agent().height));
+    if (!found) {
+        goal_ = {goal, {}};
+        return give_up(Reason::goal_off_mesh);
+    }
+    const double moved = length(found->position - goal_.position);
+    if (status_ == Status::following) return move_goal(query, *found);
+    if (status_ == Status::arrived && moved <= options_.arrival) return;
+    if (status_ == Status::gave_up && reason_ != Reason::goal_off_mesh &&
+        length(found->position - planned_goal_) <= options_.goal_moved)
+        return;
+    status_ = Status::following;
+    reason_ = Reason::none;
+    goal_ = *found;
+    wants_plan_ = true;
+    least_left_ = std::numeric_limits<double>::infinity();
+    without_ = lost_ = since_check_ = 0;
+    tried_ = 0;
+    plans_ = links_ = 0;
+    line_.points.clear();
+    along_ = begin_ = best_along_ = 0;
+}
+
+void NavigationFollower::move_goal(const NavigationQuery& query, const NavigationPoint& goal) {
+    const dvec3 moved = goal.position - goal_.position;
+    if (dot(moved, moved) == 0) return;
+    const bool is_far = length(goal.position - planned_goal_) > std::max(options_.goal_moved, left() / 10);
+    const NavigationPoint before = goal_;
+    goal_ = goal;
+    if (wants_plan_ || line_.points.empty()) return;
+    if (is_far || path_.partial || !navigation::sees(query.state(), before, goal.position)) {
+        wants_plan_ = true;
+        least_left_ = std::numeric_limits<double>::infinity();
+        return;
+    }
+    // The end of the line follows: straight from the last bend where that can be seen, else from the old end.
+    std::vector<NavigationLine::Point>& points = line_.points;
+    const std::size_t last = points.size() - 1;
+    if (last > 0 && !points[last - 1].link && navigation::sees(query.state(), goal, points[last - 1].position))
+        points.pop_back();
+    points.push_back({.position = goal.position,
+                      .along = points.back().along + length(goal.position - points.back().position),
+                      .link = {}});
+    along_ = std::min(along_, points.back().along);
+    best_along_ = std::min(best_along_, along_);
+}
+
+bool NavigationFollower::locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet) {
+    const NavigationAgent& agent = query.mesh().agent();
+    const dvec3& up = query.mesh().up();
+    const std::optional<NavigationPoint> moved = navigation::moved_along(query.state(), place_, feet);
+    if (moved) {
+        const dvec3 off = feet - moved->position;
+        const bool is_near = length(level(off, up)) <= agent.radius / 2;
+        const bool is_level = std::abs(dot(off, up)) <= agent.climb + agent.radius;
+        if (is_near && (is_level || state.footing == Footing::air)) {
+            place_ = *moved;
+            return true;
+        }
+    }
+    const std::optional<NavigationPoint> found = query.nearest(feet, options_.beside_mesh, agent.height);
+    if (!found) return false;
+    // It may have been pushed a little over the border; only what is clearly nearer is another place.
+    const bool same = moved && length(feet - moved->position) <= length(feet - found->position) + agent.radius / 4;
+    place_ = same ? *moved : *found;
+    if (!same) wants_plan_ = true;
+    return true;
+}
+
+bool NavigationFollower::plan(const NavigationQuery& query) {
+    wants_plan_ = false;
+    ++plans_;
+    planned_goal_ = goal_.position;
+    std::optional<NavigationPath> path = query.path(place_, goal_);
+    if (!path || (path->partial && !options_.go_near)) {
+        give_up(Reason::no_path);
+        return false;
+    }
+    path_ = std::move(*path);
+    // A line that keeps away from walls gets past what the shortest one snags on.
+    line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
+    along_ = begin_ = best_along_ = 0;
+    without_ = since_check_ = 0;
+    return true;
+}
+
+void NavigationFollower::move_along(const NavigationQuery& query) {
+    const double stop = navigation::next_stop(line_, begin_);
+    const navigation::NearestOnLine nearest =
+        navigation::nearest_on(line_, place_.position, query.mesh().up(), std::max(begin_, along_ - back),
+                               std::min(stop, along_ + options_.look_ahead + 1));
+    along_ = nearest.along;
+    if (nearest.distance > options_.off_path) wants_plan_ = true;
+}
+
+void NavigationFollower::try_again(NavigationFollowReason reason) noexcept {
+    ++tried_;
+    wants_plan_ = true;
+    without_ = 0;
+    if (tried_ > options_.attempts) give_up(reason);
+}
+
+void NavigationFollower::watch(const CharacterState& state, double dt) {
+    if (along_ > best_along_ + std::min(counts, counts * options_.speed * options_.patience)) {
+        best_along_ = along_;
+        without_ = 0;
+    } else {
+        // Falling is no running on, but nobody falls for ever.
+        without_ += state.footing == Footing::air ? dt / 4 : dt;
+    }
+    if (left() < least_left_ - counts_anew) {
+        least_left_ = left();
+        tried_ = 0;
+    }
+    if (without_ > options_.patience) try_again(Reason::stuck);
+}
+
+double NavigationFollower::aim_along(const NavigationQuery& query) const {
+    const double stop = navigation::next_stop(line_, begin_);
+    const double farthest = std::min(stop, along_ + options_.look_ahead);
+    const auto is_seen = [&](double along) {
+        return navigation::sees(query.state(), place_, navigation::place_on(line_, along));
+    };
+    if (is_seen(farthest)) return farthest;
+    double near = farthest;
+    for (const NavigationLine::Point& point : line_.points)
+        if (point.along > along_) {
+            near = std::min(near, point.along);
+            break;
+        }
+    double far = farthest;
+    for (int i = 0; i < 4; ++i) {
+        const double middle = (near + far) / 2;
+        if (is_seen(middle))
+            near = middle;
+        else
+            far = middle;
+    }
+    // At a corner the line itself is the way on: it lies on the mesh.
+    return std::min(std::max(near, along_ + query.mesh().agent().radius / 2), stop);
+}
+
+CharacterInput NavigationFollower::walk(const NavigationQuery& query, const CharacterState& state,
+                                        const CharacterSettings& settings, double dt) {
+    const NavigationAgent& agent = query.mesh().agent();
+    const dvec3& up = query.mesh().up();
+    const double stop = navigation::next_stop(line_, begin_);
+    const double aim = aim_along(query);
+    aim_ = navigation::place_on(line_, aim);
+    const dvec3 feet = state.position - up * agent.feet;
+    const dvec3 way = level(aim_ - feet, up);
+    const double distance = length(way);
+    // Ice gives feet less to brake by. A fifth is kept for what is not foreseen.
+    const double grip = state.footing == Footing::ground ? settings.surfaces[state.ground_surface].grip : 1;
+    const double deceleration = std::max(0.8 * grip * std::min(settings.braking, settings.acceleration), 0.1);
+    double speed =
+        navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
+    // From one tick to the next it goes no farther than to where it stops.
+    if (aim >= stop) speed = std::min(speed, distance / dt);
+    CharacterInput input{.up = up};
+    if (!(distance > 1e-9)) return input;
+    // Pushed over the mesh's border it comes back on the way.
+    const dvec3 heading = way / distance + level(place_.position - feet, up) / agent.radius;
+    const double size = length(heading);
+    if (size > 1e-9) input.wish = heading * (speed / size);
+    return input;
+}
+
+bool NavigationFollower::begin_link(const NavigationQuery& query) {
+    const double stop = navigation::next_stop(line_, begin_);
+    if (stop - along_ > hand_over) return false;
+    const auto point = std::find_if(line_.points.begin(), line_.points.end(), [&](const NavigationLine::Point& p) {
+        return p.link && p.along >= stop - 1e-6;
+    });
+    if (point == line_.points.end() || point->along > stop + 1e-6) return false;
+    const std::span<const NavigationLink> links = query.mesh().links();
+    if (*point->link >= links.size()) {
+        wants_plan_ = true;
+        return false;
+    }
+    const NavigationLink& link = links[*point->link];
+    link_ = {.from = link.from,
+             .to = link.to,
+             .takeoff = link.takeoff,
+             .kind = link.kind,
+             .speed = link.speed,
+             .seconds = link.seconds,
+             .tick = link.tick,
+             .inputs = {}};
+    drive_ = {.up = query.mesh().up(), .feet = query.mesh().agent().feet};
+    drives_ = true;
+    begin_ = (point + 1)->along;
+    return true;
+}
+
+CharacterInput NavigationFollower::drive_link(const NavigationQuery& query, const CharacterState& state,
+                                              const CharacterSettings& settings, double dt) {
+    aim_ = link_.to;
+    const CharacterInput input = drive(link_, drive_, state, settings, dt);
+    const bool failed = drive_.status == NavigationDriveStatus::failed;
+    if (!failed && drive_.status != NavigationDriveStatus::arrived) return input;
+    drives_ = false;
+    place_ = {};
+    along_ = best_along_ = begin_;
+    without_ = 0;
+    if (failed) {
+        try_again(Reason::link_failed);
+        return {.up = query.mesh().up()};
+    }
+    ++links_;
+    // The plan holds beyond the link; `locate` asks for another one if this is not where the link ends.
+    const double vertical = query.mesh().agent().climb + query.mesh().agent().radius;
+    if (const auto found = query.nearest(link_.to, query.mesh().agent().radius, vertical)) place_ = *found;
+    return this->input(query, state, settings, dt);
+}
+
+CharacterInput NavigationFollower::input(const NavigationQuery& query, const CharacterState& state,
+                                         const CharacterSettings& settings, double dt) {
+    const NavigationAgent& agent = query.mesh().agent();
+    const dvec3& up = query.mesh().up();
+    const CharacterInput still{.up = up};
+    if (status_ != Status::following || !(dt > 0)) return still;
+    if (drives_) return drive_link(query, state, settings, dt);
+
+    const dvec3 feet = state.position - up * agent.feet;
+    if (!locate(query, state, feet)) {
+        lost_ += state.footing == Footing::air ? dt / 4 : dt;
+        if (lost_ > options_.patience) give_up(Reason::off_mesh);
+        return still;
+    }
+    lost_ = 0;
+    since_check_ += dt;
+    if (since_check_ > between_checks) {
+        since_check_ = 0;
+        const bool is_open = std::all_of(path_.polygons.begin(), path_.polygons.end(),
+                                         [&](NavigationPolygon polygon) { return query.state().knows(polygon); });
+        if (!is_open) {
+            wants_plan_ = true;
+            least_left_ = std::numeric_limits<double>::infinity();  // the way round may be longer
+        }
+    }
+    if (wants_plan_ && !plan(query)) return still;
+    move_along(query);
+
+    const dvec3 off = goal_.position - feet;
+    if (length(level(off, up)) <= options_.arrival && std::abs(dot(off, up)) <= agent.climb + agent.radius &&
+        state.footing != Footing::air) {
+        status_ = Status::arrived;
+        return still;
+    }
+    if (path_.partial && left() <= options_.arrival) {
+        give_up(Reason::no_path);
+        return still;
+    }
+    if (begin_link(query)) return drive_link(query, state, settings, dt);
+    watch(state, dt);
+    if (status_ != Status::following) return still;
+    return walk(query, state, settings, dt);
+}
+
+}  // namespace v0
+}  // namespace surefoot
