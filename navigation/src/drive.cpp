@@ -144,7 +144,9 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
     drive.grounded = drive.landed ? drive.grounded + dt : 0;
 
     switch (drive.status) {
-        case Status::approaching: input.wish = to_stop_at(way.to(link.from), link.speed, settings, dt); break;
+        case Status::approaching:
+            input.wish = to_stop_at(way.to(link.from), link.speed, settings, dt);
+            break;
         case Status::under_way: {
             const bool jumps = link.kind == NavigationLinkKind::jump;
             const double next = std::max(0.0, dot(way.level(state.velocity), way.forward())) * dt;
@@ -163,7 +165,8 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
             break;
         }
         case Status::arrived:
-        case Status::failed: break;
+        case Status::failed:
+            break;
     }
     return input;
 }

@@ -27,12 +27,18 @@ constexpr double back = 0.5;             ///< it may be pushed back along the li
 
 std::string_view sentence(NavigationFollowReason reason) noexcept {
     switch (reason) {
-        case Reason::none: return "it did not give up";
-        case Reason::off_mesh: return "the navigation mesh has no ground near the character";
-        case Reason::goal_off_mesh: return "the navigation mesh has no ground near the goal";
-        case Reason::no_path: return "no path leads from the character to the goal";
-        case Reason::stuck: return "the character ran on and got no nearer to the goal, however often it planned";
-        case Reason::link_failed: return "a link was tried again and again and did not lead to its end";
+        case Reason::none:
+            return "it did not give up";
+        case Reason::off_mesh:
+            return "the navigation mesh has no ground near the character";
+        case Reason::goal_off_mesh:
+            return "the navigation mesh has no ground near the goal";
+        case Reason::no_path:
+            return "no path leads from the character to the goal";
+        case Reason::stuck:
+            return "the character ran on and got no nearer to the goal, however often it planned";
+        case Reason::link_failed:
+            return "a link was tried again and again and did not lead to its end";
     }
     return "unknown";
 }
@@ -206,8 +212,7 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
     // Ice gives feet less to brake by. A fifth is kept for what is not foreseen.
     const double grip = state.footing == Footing::ground ? settings.surfaces[state.ground_surface].grip : 1;
     const double deceleration = std::max(0.8 * grip * std::min(settings.braking, settings.acceleration), 0.1);
-    double speed =
-        navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
+    double speed = navigation::speed_here(line_, up, along_, stop, deceleration, agent.radius / 2, options_.speed);
     // From one tick to the next it goes no farther than to where it stops.
     if (aim >= stop) speed = std::min(speed, distance / dt);
     CharacterInput input{.up = up};
@@ -222,9 +227,8 @@ CharacterInput NavigationFollower::walk(const NavigationQuery& query, const Char
 bool NavigationFollower::begin_link(const NavigationQuery& query) {
     const double stop = navigation::next_stop(line_, begin_);
     if (stop - along_ > hand_over) return false;
-    const auto point = std::find_if(line_.points.begin(), line_.points.end(), [&](const NavigationLine::Point& p) {
-        return p.link && p.along >= stop - 1e-6;
-    });
+    const auto point = std::find_if(line_.points.begin(), line_.points.end(),
+                                    [&](const NavigationLine::Point& p) { return p.link && p.along >= stop - 1e-6; });
     if (point == line_.points.end() || point->along > stop + 1e-6) return false;
     const std::span<const NavigationLink> links = query.mesh().links();
     if (*point->link >= links.size()) {

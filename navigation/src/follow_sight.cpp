@@ -30,9 +30,8 @@ std::optional<NavigationPoint> moved_along(const QueryState& state, const Naviga
     vec3 result{};
     std::array<dtPolyRef, 16> visited{};
     int count = 0;
-    const dtStatus status =
-        state.detour->moveAlongSurface(from.polygon.id, &start.x, &end.x, &state.filter, &result.x, visited.data(),
-                                       &count, static_cast<int>(visited.size()));
+    const dtStatus status = state.detour->moveAlongSurface(from.polygon.id, &start.x, &end.x, &state.filter, &result.x,
+                                                           visited.data(), &count, static_cast<int>(visited.size()));
     if (dtStatusFailed(status) || dtStatusDetail(status, DT_BUFFER_TOO_SMALL)) return std::nullopt;
     const dtPolyRef polygon = count > 0 ? visited[static_cast<std::size_t>(count - 1)] : from.polygon.id;
     const vec3 ground = on_ground(state, polygon, result);

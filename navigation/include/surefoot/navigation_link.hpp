@@ -35,7 +35,7 @@ struct NavigationLink {
     /// Where the feet leave the ground: at an edge, for a jump; `from` where there is no such place [m].
     dvec3 takeoff{0, 0, 0};
     NavigationLinkKind kind = NavigationLinkKind::drop;
-    double speed = 6;  ///< that is wished for on the way [m/s]
+    double speed = 6;                     ///< that is wished for on the way [m/s]
     double seconds = 0;                   ///< how long the simulated character took [s]
     double tick = 1.0 / 60;               ///< the tick of the simulation [s]
     std::vector<NavigationInput> inputs;  ///< from rest at `from` they lead to `end`

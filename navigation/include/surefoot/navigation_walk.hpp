@@ -33,9 +33,9 @@ struct WalkReport {
     bool arrived = false;
     NavigationFollowReason reason = NavigationFollowReason::none;  ///< why not; none, too, if time ran out
     bool out_of_time = false;
-    double seconds = 0;   ///< how long it walked [s]
-    double planned = 0;   ///< the length of the first plan [m]; 0: there was none
-    double walked = 0;    ///< how far the feet went, seen from above [m]
+    double seconds = 0;  ///< how long it walked [s]
+    double planned = 0;  ///< the length of the first plan [m]; 0: there was none
+    double walked = 0;   ///< how far the feet went, seen from above [m]
     std::size_t plans = 0;
     std::size_t links = 0;  ///< that were gone over
     dvec3 end{0, 0, 0};     ///< where the feet were in the end [m]
@@ -45,8 +45,8 @@ struct WalkReport {
     std::optional<WalkMoment> stuck{};
 };
 
-/// Puts the character at rest over `from`, lets it come to stand, and walks it to `to`; both are places of feet. `query`
-/// is of the mesh to walk on. Requires: a tick and a speed above zero; nothing is walked otherwise.
+/// Puts the character at rest over `from`, lets it come to stand, and walks it to `to`; both are places of feet.
+/// `query` is of the mesh to walk on. Requires: a tick and a speed above zero; nothing is walked otherwise.
 [[nodiscard]] WalkReport walk_path(const World& world, const CharacterSettings& settings, const NavigationQuery& query,
                                    const dvec3& from, const dvec3& to, const WalkOptions& options = {});
 
