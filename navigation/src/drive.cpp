@@ -24,6 +24,7 @@ constexpr double longest_approach = 4;  ///< [s]
 /// Above twice the time that the simulated character took [s].
 constexpr double spare = 2;
 constexpr double longest_unknown = 15;  ///< of a link whose time is not known [s]
+constexpr double longest_stall = 0.5;   ///< [s]
 
 /// The link as seen by whoever is on it.
 class Way {
@@ -92,9 +93,12 @@ bool is_at(const Way& way, const dvec3& place, const CharacterSettings& settings
     return length(way.to(place)) <= at_place && std::abs(way.above(place)) <= std::max(settings.step_up, at_place);
 }
 
-/// Is the place out of reach for feet that stand?
-bool is_far_above(const Way& way, const dvec3& place, const CharacterSettings& settings) {
-    return way.above(place) > settings.step_up + at_place + 2 * length(way.to(place));
+/// Is the place out of reach for feet that stand, or fall?
+bool is_far_above(const Way& way, const dvec3& place, const CharacterState& state, const CharacterSettings& settings) {
+    const double above = way.above(place) - settings.step_up - at_place;
+    if (state.footing == Footing::ground) return above > 2 * length(way.to(place));
+    const double rising = std::max(0.0, way.rising(state));
+    return state.footing == Footing::air && settings.gravity > 0 && above > rising * rising / (2 * settings.gravity);
 }
 
 bool may_begin(const Way& way, const NavigationLink& link, const CharacterState& state) {
@@ -118,12 +122,14 @@ void watch(NavigationDrive& drive, const Way& way, const NavigationLink& link, c
     } else if (drive.airborne && state.footing == Footing::ground) {
         drive.landed = true;
     }
-    const bool is_stranded = drive.landed && link.kind != NavigationLinkKind::ladder && drive.grounded > 0.25 &&
-                             is_far_above(way, link.to, settings);
+    const bool may_rise = link.kind == NavigationLinkKind::ladder || state.hold != Hold::none ||
+                          (link.kind == NavigationLinkKind::jump && !drive.pressed);
+    const bool is_stranded = (state.footing == Footing::air ? drive.airborne : drive.grounded > 0.25) && !may_rise &&
+                             is_far_above(way, link.to, state, settings);
     const bool is_over = way.along() >= way.run() && (!drive.pressed || drive.airborne);
     if (state.footing == Footing::ground && is_over && is_at(way, link.to, settings))
         become(drive, Status::arrived);
-    else if (drive.seconds > longest || is_stranded)
+    else if (drive.seconds > longest || drive.stalled > longest_stall || is_stranded)
         become(drive, Status::failed);
 }
 
@@ -142,6 +148,8 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
     if (drive.status == Status::under_way) watch(drive, way, link, state, settings);
     drive.seconds += dt;
     drive.grounded = drive.landed ? drive.grounded + dt : 0;
+    const bool rests = length(state.velocity) < 0.02 * link.speed;
+    drive.stalled = drive.status == Status::under_way && rests ? drive.stalled + dt : 0;
 
     switch (drive.status) {
         case Status::approaching:

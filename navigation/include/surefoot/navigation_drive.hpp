@@ -29,6 +29,7 @@ struct NavigationDrive {
     bool landed = false;    ///< and came to stand again
     double seconds = 0;     ///< since `status` last changed [s]
     double grounded = 0;    ///< since it landed [s]
+    double stalled = 0;     ///< since it last moved by itself [s]
 };
 
 static_assert(std::is_trivially_copyable_v<NavigationDrive>);

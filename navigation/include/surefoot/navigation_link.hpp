@@ -35,11 +35,11 @@ struct NavigationLink {
     /// Where the feet leave the ground: at an edge, for a jump; `from` where there is no such place [m].
     dvec3 takeoff{0, 0, 0};
     NavigationLinkKind kind = NavigationLinkKind::drop;
-    double speed = 6;                     ///< that is wished for on the way [m/s]
-    double seconds = 0;                   ///< how long the simulated character took [s]
-    double tick = 1.0 / 60;               ///< the tick of the simulation [s]
-    std::vector<NavigationInput> inputs;  ///< from rest at `from` they lead to `end`
-    dvec3 end{0, 0, 0};                   ///< where the feet are then: at `to`, but for what a tick makes [m]
+    double speed = 6;                       ///< that is wished for on the way [m/s]
+    double seconds = 0;                     ///< how long the simulated character took [s]
+    double tick = 1.0 / 60;                 ///< the tick of the simulation [s]
+    std::vector<NavigationInput> inputs{};  ///< from rest at `from` they lead to `end`
+    dvec3 end{0, 0, 0};                     ///< where the feet are then: at `to`, but for what a tick makes [m]
 };
 
 }  // namespace v0

@@ -1,0 +1,397 @@
+// Links are found where a simulated character gets over, and nowhere else.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <surefoot/navigation_drive.hpp>
+#include <surefoot/navigation_links.hpp>
+#include <surefoot/navigation_query.hpp>
+
+#include "movement_scene.hpp"
+
+namespace surefoot::tests {
+namespace {
+
+using Kind = NavigationLinkKind;
+
+/// A level, the character in it, and the links that it has.
+struct Level {
+    World world;
+    CharacterSettings settings{};
+    NavigationOptions mesh_options{};
+    NavigationLinkOptions options{};
+    NavigationLinkReport report{};
+
+    [[nodiscard]] NavigationMesh mesh() const {
+        auto mesh = NavigationMesh::build(world, settings, mesh_options);
+        EXPECT_TRUE(mesh.has_value()) << mesh.error().text;
+        return *std::move(mesh);
+    }
+    [[nodiscard]] std::vector<NavigationLink> links() { return find_links(world, settings, mesh(), options, &report); }
+};
+
+Level level_of(const Scene& scene) {
+    return {.world = scene.world()};
+}
+
+double rise(const NavigationLink& link, const dvec3& up = {0, 1, 0}) {
+    const dvec3 way = link.to - link.from;
+    return way.x * up.x + way.y * up.y + way.z * up.z;
+}
+
+std::size_t count(const std::vector<NavigationLink>& links, Kind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(links.begin(), links.end(), [&](const NavigationLink& link) { return link.kind == kind; }));
+}
+
+/// How many jumps lead so much higher at least.
+std::size_t jumps_up(const std::vector<NavigationLink>& links, double least) {
+    return static_cast<std::size_t>(std::count_if(links.begin(), links.end(), [&](const NavigationLink& link) {
+        return link.kind == Kind::jump && rise(link) >= least;
+    }));
+}
+
+Scene terrace(double height) {
+    Scene scene;
+    return scene.floor(-10, 10, -10, 10).block({-4, 0, -4}, {4, height, 4});
+}
+
+/// Two blocks, and a gap along x between them, so deep that nobody comes out of it.
+Scene gap(double width, double rise = 0) {
+    Scene scene;
+    return scene.block({-6, 0, -3}, {-width / 2, 20, 3}).block({width / 2, 0, -3}, {6, 20 + rise, 3});
+}
+
+/// A wall that is climbed, with ground before it and on top.
+Scene climb(double height) {
+    Scene scene;
+    scene.floor(-6, 0, -3, 3).floor(0, 6, -3, 3, height);
+    scene.quad({0, 0, -3}, {0, 0, -0.6}, {0, height, -0.6}, {0, height, -3});
+    scene.quad({0, 0, 0.6}, {0, 0, 3}, {0, height, 3}, {0, height, 0.6});
+    return scene.made_of(1).quad({0, 0, -0.6}, {0, 0, 0.6}, {0, height, 0.6}, {0, height, -0.6});
+}
+
+/// The inputs of a link, from rest where it begins.
+dvec3 replayed(const Level& level, const NavigationLink& link, const dvec3& up = {0, 1, 0}) {
+    CharacterState state = stand_at(level.world, level.settings, link.from, up, link.tick);
+    EXPECT_EQ(state.footing, Footing::ground);
+    for (const NavigationInput& input : link.inputs)
+        for (std::uint32_t i = 0; i < input.ticks; ++i)
+            state = step(level.world, level.settings, {.wish = input.wish, .up = up, .jump = input.jump != 0},
+                         link.tick, state)
+                        .state;
+    return state.position - up * navigation_agent(level.settings).feet;
+}
+
+void expect_replays(const Level& level, const std::vector<NavigationLink>& links) {
+    for (const NavigationLink& link : links) {
+        EXPECT_EQ(replayed(level, link), link.end);
+        const dvec3 off = link.end - link.to;
+        EXPECT_LT(std::hypot(off.x, off.z), 0.2);
+        EXPECT_LT(std::abs(off.y), 0.4);
+    }
+}
+
+// Broken variants: no drops proposed; drops proposed upwards; the recorded inputs are those of a run with margins.
+TEST(NavigationLinks, ATerraceIsDroppedOffAndNotJumpedOnto) {
+    Level level = level_of(terrace(3));
+    const auto links = level.links();
+    EXPECT_GE(count(links, Kind::drop), 8U);
+    for (const NavigationLink& link : links) {
+        EXPECT_EQ(link.kind, Kind::drop);
+        EXPECT_NEAR(rise(link), -3, 0.2);
+    }
+    EXPECT_EQ(level.report.kept[0], links.size());
+    expect_replays(level, links);
+}
+
+// Broken variant: the option is not looked at.
+TEST(NavigationLinks, ADropOverTheLimitIsNotThere) {
+    Level level = level_of(terrace(3));
+    level.options.deepest_drop = 2.8;
+    EXPECT_TRUE(level.links().empty());
+    level.options.deepest_drop = 3.2;
+    EXPECT_FALSE(level.links().empty());
+}
+
+// Broken variant: proposals are kept without simulating them.
+TEST(NavigationLinks, AWallAtTheEdgeLetsNobodyDrop) {
+    Scene scene = terrace(3);
+    for (const double side : {-1.0, 1.0})
+        scene.block({-4, 3, side > 0 ? 3.9 : -4.0}, {4, 6, side > 0 ? 4.0 : -3.9})
+            .block({side > 0 ? 3.9 : -4.0, 3, -4}, {side > 0 ? 4.0 : -3.9, 6, 4});
+    Level level = level_of(scene);
+    EXPECT_TRUE(level.links().empty());
+    EXPECT_GT(level.report.tried[0], 0U) << "nothing was proposed, so this shows nothing";
+}
+
+// Broken variants: only one way is looked for; links are not thinned out.
+TEST(NavigationLinks, AGapIsJumpedBothWays) {
+    Level level = level_of(gap(2));
+    const auto links = level.links();
+    std::size_t there = 0;
+    for (const NavigationLink& link : links) {
+        EXPECT_EQ(link.kind, Kind::jump);
+        EXPECT_LT(link.from.x * link.to.x, 0);
+        there += link.to.x > 0 ? 1 : 0;
+    }
+    EXPECT_GE(there, 2U);
+    EXPECT_LE(there, 5U) << "six metres of border, and a link in one and a half";
+    EXPECT_GE(links.size() - there, 2U);
+    EXPECT_LE(links.size() - there, 5U);
+    expect_replays(level, links);
+}
+
+// Broken variant: proposals are kept without simulating them.
+TEST(NavigationLinks, AGapThatIsALittleTooWideIsNotJumped) {
+    // By the ballistics a jump at 6 m/s leads 4.16 m far, and feet may leave and land a little over an edge.
+    EXPECT_FALSE(level_of(gap(3)).links().empty());
+    EXPECT_TRUE(level_of(gap(5)).links().empty());
+    Level lame = level_of(gap(3));
+    lame.options.run_speed = 3;
+    EXPECT_TRUE(lame.links().empty());
+}
+
+// Broken variant: margins are not tried.
+TEST(NavigationLinks, AGapThatOnlyTheLuckyGetOverIsNotJumped) {
+    bool lucky_found = false;
+    for (double width = 3; width < 5; width += 0.1) {
+        Level lucky = level_of(gap(width));
+        lucky.options.margins = {.along = 0, .aside = 0, .speed = 0};
+        Level careful = level_of(gap(width));
+        if (!careful.links().empty()) continue;
+        lucky_found = !lucky.links().empty();
+        EXPECT_TRUE(lucky_found) << "at a width of " << width << " m";
+        break;
+    }
+    EXPECT_TRUE(lucky_found);
+}
+
+// Broken variant: each margin left out by itself.
+TEST(NavigationLinks, EachMarginRefusesLinks) {
+    const auto narrowest_refused = [](const NavigationLinkMargins& margins) {
+        double width = 3;
+        for (; width < 6; width += 0.05) {
+            Level level = level_of(gap(width));
+            level.options.margins = margins;
+            if (level.links().empty()) break;
+        }
+        return width;
+    };
+    const double lucky = narrowest_refused({.along = 0, .aside = 0, .speed = 0});
+    EXPECT_LT(narrowest_refused({.along = 0.4, .aside = 0, .speed = 0}), lucky);
+    EXPECT_LT(narrowest_refused({.along = 0, .aside = 0, .speed = 0.2}), lucky);
+    // To the left and right of a beam there is nothing.
+    Scene beam;
+    beam.block({-6, 0, -0.15}, {-1, 20, 0.15}).block({1, 0, -0.15}, {6, 20, 0.15});
+    Level level = level_of(beam);
+    level.mesh_options.cell_size = 0.05;
+    level.options.margins = {.along = 0, .aside = 0, .speed = 0};
+    EXPECT_FALSE(level.links().empty());
+    level.options.margins.aside = 1;
+    EXPECT_TRUE(level.links().empty());
+}
+
+// Broken variants: jumps up are not proposed; the jump is let go at once.
+TEST(NavigationLinks, ABlockIsJumpedOntoAsHighAsTheCharacterJumps) {
+    Level level = level_of(terrace(1));
+    const auto links = level.links();
+    EXPECT_GE(jumps_up(links, 0.8), 8U);
+    EXPECT_GE(count(links, Kind::drop), 8U);
+    expect_replays(level, links);
+    level.settings.jump_height = 0.6;
+    EXPECT_EQ(jumps_up(level.links(), 0.8), 0U);
+    EXPECT_EQ(jumps_up(level_of(terrace(1.7)).links(), 0.8), 0U);
+}
+
+// Broken variant: proposals are kept without simulating them.
+TEST(NavigationLinks, ALowCeilingOverAGapLetsNobodyJump) {
+    EXPECT_FALSE(level_of(gap(3)).links().empty());
+    Level low = level_of(gap(3).block({-2, 22, -3}, {2, 23, 3}));
+    EXPECT_TRUE(low.links().empty());
+    EXPECT_GT(low.report.tried[1], 0U) << "nothing was proposed, so this shows nothing";
+}
+
+// Broken variants: steps are not proposed; they are taken for jumps.
+TEST(NavigationLinks, AStepThatTheMeshIsTooCoarseForIsWalked) {
+    Level level = level_of(terrace(0.38));
+    EXPECT_TRUE(level.links().empty()) << "the mesh has the step itself";
+    level.mesh_options.cell_height = 0.15;
+    level.mesh_options.cell_size = 0.1;
+    const auto links = level.links();
+    EXPECT_GE(count(links, Kind::step_up), 8U);
+    EXPECT_EQ(count(links, Kind::jump), 0U);
+    expect_replays(level, links);
+    for (const NavigationLink& link : links)
+        for (const NavigationInput& input : link.inputs) EXPECT_EQ(input.jump, 0);
+    // Whoever cannot step has to jump.
+    level.settings.step_up = 0.2;
+    EXPECT_EQ(count(level.links(), Kind::step_up), 0U);
+}
+
+// Broken variants: ladders are not proposed; every wall is one.
+TEST(NavigationLinks, ALadderIsClimbed) {
+    std::array<SurfaceRule, 2> rules{};
+    Level level = level_of(climb(4));
+    level.settings.surfaces = SurfaceRules(rules);
+    EXPECT_EQ(count(level.links(), Kind::ladder), 0U);
+    rules[1].ladder = true;
+    const auto links = level.links();
+    ASSERT_EQ(count(links, Kind::ladder), 1U);
+    EXPECT_EQ(jumps_up(links, 1), 0U);
+    for (const NavigationLink& link : links) {
+        if (link.kind != Kind::ladder) continue;
+        EXPECT_NEAR(rise(link), 4, 0.2);
+        EXPECT_NEAR(link.from.z, 0, 0.6);
+    }
+    expect_replays(level, links);
+    level.settings.ladder_speed = 0;
+    EXPECT_EQ(count(level.links(), Kind::ladder), 0U);
+}
+
+// Broken variant: the walk's length is not looked at.
+TEST(NavigationLinks, ADropThatSavesNothingIsNotThere) {
+    // A terrace of one metre with a ramp on to it, as wide as itself.
+    Scene scene;
+    scene.floor(-20, 20, -20, 20).block({0, 0, -2}, {4, 1, 2}).ramp(-4, 4, 14.0362, 2);
+    Level level = level_of(scene);
+    level.options.least_saving = 50;
+    EXPECT_TRUE(level.links().empty());
+    level.options.least_saving = 0;
+    EXPECT_FALSE(level.links().empty());
+}
+
+// Broken variant: threads write into one list.
+TEST(NavigationLinks, AreTheSameForAnyNumberOfThreads) {
+    Level level = level_of(terrace(1));
+    level.options.threads = 1;
+    const auto alone = level.links();
+    level.options.threads = 3;
+    const auto shared = level.links();
+    ASSERT_EQ(alone.size(), shared.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(alone[i].from, shared[i].from);
+        EXPECT_EQ(alone[i].end, shared[i].end);
+        EXPECT_EQ(alone[i].inputs.size(), shared[i].inputs.size());
+    }
+}
+
+TEST(NavigationLinks, TellHowFarTheyAre) {
+    Level level = level_of(terrace(1));
+    std::size_t last = 0;
+    std::size_t whole = 0;
+    const auto tell = [&](std::size_t done, std::size_t all) {
+        EXPECT_EQ(done, last + 1);
+        last = done;
+        whole = all;
+    };
+    level.options.progress = NavigationProgress(tell);
+    EXPECT_FALSE(level.links().empty());
+    EXPECT_EQ(last, whole);
+}
+
+// Broken variant: a number that is no length goes into the search.
+TEST(NavigationLinks, AreNoneForOptionsOutOfRange) {
+    Level level = level_of(terrace(1));
+    level.options.spacing = 0;
+    EXPECT_TRUE(level.links().empty());
+    level.options = {};
+    level.options.run_speed = std::nan("");
+    EXPECT_TRUE(level.links().empty());
+}
+
+// Broken variant: +Y is taken for up somewhere.
+TEST(NavigationLinks, AreFoundWithAnyUp) {
+    const Mesh mesh = terrace(1).mesh();
+    const dvec3 up{0, 0, 1};
+    Level level;
+    const Pose on_its_back{.position = {3, 4, 5}, .orientation = {std::sqrt(0.5), std::sqrt(0.5), 0, 0}};
+    ASSERT_TRUE(level.world.add(mesh, {.pose = on_its_back}).has_value());
+    level.mesh_options.up = up;
+    const auto links = level.links();
+    EXPECT_GE(count(links, Kind::drop), 8U);
+    EXPECT_GE(count(links, Kind::jump), 8U);
+    for (const NavigationLink& link : links) {
+        EXPECT_NEAR(std::abs(rise(link, up)), 1, 0.2);
+        EXPECT_EQ(replayed(level, link, up), link.end);
+    }
+}
+
+/// Walks along a path's corners and over its links; where it comes to a stand.
+dvec3 followed(const Level& level, const NavigationMesh& mesh, const NavigationPath& path) {
+    CharacterState state = stand_at(level.world, level.settings, path.corners.front().position);
+    const double feet = mesh.agent().feet;
+    for (std::size_t i = 0; i + 1 < path.corners.size(); ++i) {
+        const NavigationCorner& corner = path.corners[i];
+        NavigationDrive driver{.feet = feet};
+        for (int ticks = 0; ticks < 600; ++ticks) {
+            CharacterInput input;
+            if (corner.link) {
+                input = drive(mesh.links()[*corner.link], driver, state, level.settings, 1.0 / 60);
+                EXPECT_NE(driver.status, NavigationDriveStatus::failed);
+                if (driver.status == NavigationDriveStatus::arrived) break;
+            } else {
+                const dvec3 way = path.corners[i + 1].position - state.position;
+                const double distance = std::hypot(way.x, way.z);
+                if (distance < 0.1) break;
+                input.wish = dvec3{way.x, 0, way.z} * (5 * std::min(1.0, 2 * distance) / distance);
+            }
+            state = step(level.world, level.settings, input, 1.0 / 60, state).state;
+        }
+    }
+    return state.position - dvec3{0, feet, 0};
+}
+
+// Broken variants: `set_links` forgets a link's number; the driver takes off anywhere.
+TEST(NavigationLinks, APathOverAGapHasTheLinkAndTheDriverGetsOver) {
+    Level level = level_of(gap(3));
+    NavigationMesh mesh = level.mesh();
+    const dvec3 start{-5, 20, -2};
+    const dvec3 goal{5, 20, 1.5};
+    {
+        const NavigationQuery query(mesh);
+        EXPECT_TRUE(query.path(*query.nearest(start, 1, 1), *query.nearest(goal, 1, 1))->partial);
+    }
+    const auto left_out = mesh.set_links(level.links());
+    ASSERT_TRUE(left_out.has_value());
+    EXPECT_EQ(*left_out, 0U);
+    const NavigationQuery query(mesh);
+    const auto path = query.path(*query.nearest(start, 1, 1), *query.nearest(goal, 1, 1));
+    ASSERT_TRUE(path && !path->partial);
+    EXPECT_EQ(std::count_if(path->corners.begin(), path->corners.end(), [](const auto& at) { return !!at.link; }), 1);
+    const dvec3 end = followed(level, mesh, *path);
+    EXPECT_LT(std::hypot(end.x - goal.x, end.z - goal.z), 0.3);
+    EXPECT_NEAR(end.y, goal.y, 0.1);
+}
+
+// Broken variant: a driver that waits for ever.
+TEST(NavigationDrive, FailsWhenTheWayIsNotThere) {
+    const Level level = level_of(gap(3));
+    const NavigationLink link{.from = {-3, 20, 0}, .to = {3, 20, 0}, .takeoff = {-2.3, 20, 0}, .kind = Kind::drop};
+    CharacterState state = stand_at(level.world, level.settings, link.from);
+    NavigationDrive driver{.feet = navigation_agent(level.settings).feet};
+    int ticks = 0;
+    for (; ticks < 600 && driver.status != NavigationDriveStatus::failed; ++ticks)
+        state = step(level.world, level.settings, drive(link, driver, state, level.settings, 1.0 / 60), 1.0 / 60, state)
+                    .state;
+    EXPECT_EQ(driver.status, NavigationDriveStatus::failed);
+    EXPECT_LT(ticks, 120);
+}
+
+// Broken variant: a push is not steered against.
+TEST(NavigationDrive, SteersBackWhoeverIsPushed) {
+    const Level level = level_of(gap(2));
+    const NavigationLink link{.from = {-3, 20, 0}, .to = {2, 20, 0}, .takeoff = {-1.1, 20, 0}, .kind = Kind::jump};
+    CharacterState state = stand_at(level.world, level.settings, link.from);
+    NavigationDrive driver{.feet = navigation_agent(level.settings).feet};
+    for (int ticks = 0; ticks < 300 && driver.status != NavigationDriveStatus::arrived; ++ticks) {
+        CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
+        if (ticks == 5) input.impulse = {0, 0, 3};
+        state = step(level.world, level.settings, input, 1.0 / 60, state).state;
+    }
+    EXPECT_EQ(driver.status, NavigationDriveStatus::arrived);
+}
+
+}  // namespace
+}  // namespace surefoot::tests
