@@ -55,6 +55,11 @@ void NavigationFollower::stop() noexcept {
     place_ = {};
 }
 
+void NavigationFollower::arrive() noexcept {
+    if (status_ == Status::following) status_ = Status::arrived;
+    drives_ = false;
+}
+
 void NavigationFollower::go(const NavigationQuery& query, const dvec3& goal) {
     const std::optional<NavigationPoint> found =
         query.nearest(goal, options_.beside_mesh, std::max(options_.beside_mesh, query.mesh().agent().height));
@@ -126,11 +131,25 @@ bool NavigationFollower::locate(const NavigationQuery& query, const CharacterSta
     return true;
 }
 
+std::optional<NavigationPoint> NavigationFollower::step_aside(const NavigationQuery& query) const {
+    const dvec3& up = query.mesh().up();
+    const dvec3 ahead = level(aim_ - place_.position, up);
+    const double size = length(ahead);
+    if (!(size > 0)) return std::nullopt;
+    // Back and to the left, the next time to the right.
+    const dvec3 left = navigation::cross(up, ahead / size);
+    const double turn = tried_ % 4 == 2 ? 1 : -1;
+    const double reach = 2 * query.mesh().agent().radius;
+    const dvec3 to = place_.position + left * (turn * reach) - ahead / size * reach;
+    return navigation::moved_along(query.state(), place_, to);
+}
+
 bool NavigationFollower::plan(const NavigationQuery& query) {
     wants_plan_ = false;
     ++plans_;
     planned_goal_ = goal_.position;
-    std::optional<NavigationPath> path = query.path(place_, goal_);
+    const std::optional<NavigationPoint> beside = tried_ > 0 && tried_ % 2 == 0 ? step_aside(query) : std::nullopt;
+    std::optional<NavigationPath> path = query.path(beside.value_or(place_), goal_);
     if (!path || (path->partial && !options_.go_near)) {
         give_up(Reason::no_path);
         return false;
@@ -138,6 +157,7 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     path_ = std::move(*path);
     // A line that keeps away from walls gets past what the shortest one snags on.
     line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
+    if (beside) line_ = navigation::line_from(place_.position, line_);
     along_ = begin_ = best_along_ = 0;
     without_ = since_check_ = 0;
     return true;

@@ -43,6 +43,13 @@ NavigationLine middle_line(const NavigationPath& path) {
     return line;
 }
 
+NavigationLine line_from(const dvec3& place, const NavigationLine& line) {
+    NavigationLine whole;
+    append(whole, place);
+    for (const NavigationLine::Point& point : line.points) append(whole, point.position, point.link);
+    return whole;
+}
+
 dvec3 place_on(const NavigationLine& line, double along) {
     const Points& points = line.points;
     if (points.empty()) return {0, 0, 0};

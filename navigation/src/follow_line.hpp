@@ -13,6 +13,9 @@ namespace surefoot::navigation {
 /// The raw path, through the middles of portals: longer, but away from walls.
 [[nodiscard]] NavigationLine middle_line(const NavigationPath& path);
 
+/// From a place straight to where a line begins, and along it.
+[[nodiscard]] NavigationLine line_from(const dvec3& place, const NavigationLine& line);
+
 [[nodiscard]] dvec3 place_on(const NavigationLine& line, double along);
 
 struct NearestOnLine {

@@ -99,6 +99,9 @@ public:
     /// It stays where it is, sent nowhere. On a link that is where it happens to be.
     void stop() noexcept;
 
+    /// Counts as having arrived where it is: the goal is taken, or near enough for you.
+    void arrive() noexcept;
+
     /// What to give to the next `step` of `dt` [s]. Once it has arrived or given up, and for a `dt` that is not
     /// positive: to stand still.
     [[nodiscard]] CharacterInput input(const NavigationQuery& query, const CharacterState& state,
@@ -124,6 +127,7 @@ public:
 private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
+    [[nodiscard]] std::optional<NavigationPoint> step_aside(const NavigationQuery& query) const;
     void move_goal(const NavigationQuery& query, const NavigationPoint& goal);
     void move_along(const NavigationQuery& query);
     void watch(const CharacterState& state, double dt);

@@ -1,0 +1,281 @@
+// Characters are sent over small levels and have to get there by their own feet.
+#include <surefoot/navigation_follow.hpp>
+#include <surefoot/navigation_walk.hpp>
+
+#include "movement_scene.hpp"
+#include "navigation_things.hpp"
+
+namespace surefoot::tests {
+namespace {
+
+using Status = NavigationFollowStatus;
+using Reason = NavigationFollowReason;
+
+/// A floor of 20 by 20 m with a wall across it that leaves a way at z > 7.
+Scene walled() {
+    Scene scene;
+    scene.floor(-10, 10, -10, 10).block({-0.25, 0, -10}, {0.25, 3, 7});
+    return scene;
+}
+
+// Broken variant: heading for the farthest place without looking whether it can be seen.
+TEST(NavigationFollow, GoesRoundAWallAndNeverLeavesTheMesh) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    const dvec3 goal{5, 0, -8};
+    EXPECT_EQ(walker.at({-5, 0, -8}).to(goal).run(), Status::arrived);
+    EXPECT_LT(walker.farthest_off_mesh, 0.05);
+    EXPECT_EQ(walker.follower.plans(), 1U);
+    EXPECT_GT(walker.slowest, 3) << "it may slow down at the two bends, not stop";
+    // 2 * |(4.6, 15.4)| and 1.3 m between the bends, at 6 m/s, half a second to start and to stop.
+    EXPECT_LT(walker.seconds, 33.5 / 6 + 0.5);
+}
+
+// Broken variants: no slowing down before the goal; arriving counted from farther away than was asked for.
+TEST(NavigationFollow, ComesToStandAtTheGoal) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    for (const double arrival : {0.05, 0.2, 1.0}) {
+        for (const double speed : {1.0, 6.0, 12.0}) {
+            Walker walker{
+                .world = world, .query = query, .follower = NavigationFollower({.speed = speed, .arrival = arrival})};
+            const dvec3 goal{-8, 0, 6};
+            EXPECT_EQ(walker.at({-5, 0, -8}).to(goal).run(), Status::arrived);
+            EXPECT_LE(walker.from_goal(goal), arrival + 1e-9);
+            for (int i = 0; i < 60; ++i) walker.tick();
+            EXPECT_LE(walker.from_goal(goal), arrival + 0.01) << "speed " << speed << ": it ran past";
+            EXPECT_LT(glm::length(walker.state.velocity), 1e-6);
+        }
+    }
+}
+
+// Broken variant: bends are taken at full speed.
+TEST(NavigationFollow, SlowsDownOnIceSoThatItDoesNotSlideOffABridge) {
+    // An L of 4 m width over nothing, of ice.
+    Scene scene;
+    scene.made_of(1).floor(-2, 2, -20, 2).floor(2, 20, -2, 2);
+    const World world = scene.world();
+    const std::array<SurfaceRule, 2> rules{SurfaceRule{}, SurfaceRule{.grip = 0.05}};
+    const CharacterSettings settings{.surfaces = std::span<const SurfaceRule>(rules)};
+    const NavigationMesh mesh = built(world, settings);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query, .settings = settings};
+    EXPECT_EQ(walker.at({0, 0, -18}).to({18, 0, 0}).run(), Status::arrived);
+    EXPECT_GT(walker.lowest, -0.1) << "it fell";
+}
+
+TEST(NavigationFollow, ArrivesAtAnyTickRate) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    for (const double rate : {10.0, 30.0, 60.0, 144.0, 1000.0}) {
+        Walker walker{.world = world, .query = query, .dt = 1 / rate};
+        EXPECT_EQ(walker.at({-5, 0, -8}).to({5, 0, -8}).run(), Status::arrived) << rate;
+        EXPECT_LT(walker.seconds, 33.5 / 6 + 1) << rate;
+    }
+}
+
+// Broken variant: +Y taken for up anywhere in the follower.
+TEST(NavigationFollow, WorksInAnyUp) {
+    const dquat turn = glm::normalize(dquat(0.5, 0.7, -0.3, 0.4));
+    World world;
+    ASSERT_TRUE(world.add(walled().mesh(), {.pose = {.position = {100, -50, 30}, .orientation = turn}}));
+    const NavigationMesh mesh = built(world, {}, {.up = turn * dvec3{0, 1, 0}});
+    const NavigationQuery query(mesh);
+    const auto placed = [&](const dvec3& place) { return dvec3{100, -50, 30} + turn * place; };
+    Walker walker{.world = world, .query = query};
+    EXPECT_EQ(walker.at(placed({-5, 0, -8})).to(placed({5, 0, -8})).run(), Status::arrived);
+    EXPECT_LT(glm::distance(walker.feet(), placed({5, 0, -8})), 0.25);
+    EXPECT_LT(walker.farthest_off_mesh, 0.05);
+    EXPECT_EQ(walker.follower.plans(), 1U);
+}
+
+/// The wall with two doors in it, at z = -6 and at z = 6: areas 1 and 2.
+struct Doors {
+    World world = [] {
+        Scene scene;
+        scene.floor(-10, 10, -10, 10).block({-0.25, 0, -10}, {0.25, 3, -7}).block({-0.25, 0, -5}, {0.25, 3, 5});
+        return scene.block({-0.25, 0, 7}, {0.25, 3, 10}).world();
+    }();
+    std::array<NavigationArea, 3> areas{NavigationArea{}, NavigationArea{.name = "near"},
+                                        NavigationArea{.name = "far"}};
+    std::array<NavigationRegion, 2> regions{NavigationRegion{.name = "near",
+                                                             .pose = {.position = {0, 0.5, -6}},
+                                                             .half_extents = {0.6, 1, 1.5},
+                                                             .kind = NavigationRegion::Kind::area,
+                                                             .area = 1},
+                                            NavigationRegion{.name = "far",
+                                                             .pose = {.position = {0, 0.5, 6}},
+                                                             .half_extents = {0.6, 1, 1.5},
+                                                             .kind = NavigationRegion::Kind::area,
+                                                             .area = 2}};
+    NavigationMesh mesh = built(world, {}, {.areas = areas, .regions = regions});
+    NavigationQuery query{mesh};
+};
+
+// Broken variant: the path is not looked over for doors.
+TEST(NavigationFollow, GoesAnotherWayWhenADoorShutsBeforeIt) {
+    Doors doors;
+    Walker walker{.world = doors.world, .query = doors.query};
+    walker.at({-8, 0, -6}).to({8, 0, -6});
+    for (int i = 0; i < 40; ++i) walker.tick();
+    ASSERT_LT(walker.feet().x, -1);
+    ASSERT_TRUE(doors.mesh.set_area(1, true));
+    for (int i = 0; i < 30; ++i) walker.tick();
+    EXPECT_LT(walker.feet().x, 0) << "it ran through a shut door";
+    EXPECT_EQ(walker.run(), Status::arrived);
+    EXPECT_EQ(walker.follower.plans(), 2U);
+}
+
+TEST(NavigationFollow, GivesUpInWordsWhenTheLastDoorShutsAndGoesOnOnceItOpens) {
+    Doors doors;
+    Walker walker{.world = doors.world, .query = doors.query};
+    walker.at({-8, 0, -6}).to({8, 0, -6});
+    for (int i = 0; i < 40; ++i) walker.tick();
+    ASSERT_TRUE(doors.mesh.set_area(1, true) && doors.mesh.set_area(2, true));
+    EXPECT_EQ(walker.run(), Status::gave_up);
+    EXPECT_EQ(walker.follower.reason(), Reason::no_path);
+    ASSERT_TRUE(doors.mesh.set_area(2, false));
+    walker.follower.stop();
+    EXPECT_EQ(walker.to({8, 0, -6}).run(), Status::arrived);
+}
+
+TEST(NavigationFollow, GoesAsNearAsItCanIfAskedTo) {
+    Doors doors;
+    ASSERT_TRUE(doors.mesh.set_area(1, true) && doors.mesh.set_area(2, true));
+    Walker walker{.world = doors.world, .query = doors.query, .follower = NavigationFollower({.go_near = true})};
+    EXPECT_EQ(walker.at({-8, 0, 0}).to({8, 0, -6}).run(), Status::gave_up);
+    EXPECT_EQ(walker.follower.reason(), Reason::no_path);
+    EXPECT_GT(walker.feet().x, -2);
+}
+
+// Broken variants: a plan for every move of the goal; none for any.
+TEST(NavigationFollow, CatchesAGoalThatMovesWithFewPlans) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    walker.at({-5, 0, -8});
+    dvec3 goal{5, 0, -8};
+    int ticks = 0;
+    for (; ticks < 1200; ++ticks) {
+        goal.z = -8 + 14 * 0.5 * (1 - std::cos(ticks * 0.005));  // up to 2.1 m/s
+        walker.follower.go(query, goal);
+        if (walker.follower.status() == Status::arrived) break;
+        walker.tick();
+    }
+    EXPECT_LT(ticks, 600);
+    EXPECT_LT(walker.from_goal(goal), 0.3);
+    EXPECT_GE(walker.follower.plans(), 2U);
+    EXPECT_LE(walker.follower.plans(), 10U);
+    EXPECT_LT(walker.farthest_off_mesh, 0.05);
+}
+
+// Broken variant: an old plan is kept from wherever it is now.
+TEST(NavigationFollow, PlansAnewFromWhereItWasThrown) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    walker.at({-5, 0, -8}).to({5, 0, -8});
+    for (int i = 0; i < 60; ++i) walker.tick();
+    walker.tick({-8, 6, -16});
+    EXPECT_EQ(walker.run(), Status::arrived);
+    EXPECT_GE(walker.follower.plans(), 2U);
+    walker.at({-5, 0, 8});
+    EXPECT_EQ(walker.to({5, 0, 5}).run(), Status::arrived) << "it was put somewhere else between two walks";
+}
+
+// Broken variant: no way back for whoever was pushed beyond the mesh's border.
+TEST(NavigationFollow, ComesBackToTheMesh) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    EXPECT_EQ(walker.at({-9.9, 0, 0}).to({-9, 0, 9}).run(), Status::arrived);
+    EXPECT_GT(walker.lowest, -0.1);
+}
+
+// Broken variant: no clock on progress: it runs against the wall for ever.
+TEST(NavigationFollow, GivesUpAgainstAWallThatTheMeshDoesNotKnow) {
+    const NavigationMesh mesh = built(walled().world());
+    const NavigationQuery query(mesh);
+    Scene changed = walled();
+    changed.block({-0.25, 0, 7}, {0.25, 3, 10});
+    const World world = changed.world();
+    const WalkReport report = walk_path(world, {}, query, {-5, 0, -8}, {5, 0, -8});
+    EXPECT_FALSE(report.arrived);
+    EXPECT_EQ(report.reason, Reason::stuck);
+    EXPECT_LT(report.seconds, 20);
+    EXPECT_LT(report.end.x, 0);
+    ASSERT_TRUE(report.stuck);
+    const StepResult again = step(world, {}, report.stuck->input, 1.0 / 60, report.stuck->before);
+    EXPECT_TRUE(again.events.has(CharacterEvent::blocked)) << "the moment shows what was in the way";
+}
+
+TEST(NavigationFollow, SaysWhereThereIsNoMesh) {
+    const World world = walled().world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    EXPECT_EQ(walker.at({-5, 0, 0}).to({100, 0, 0}).run(), Status::gave_up);
+    EXPECT_EQ(walker.follower.reason(), Reason::goal_off_mesh);
+    Scene wide = walled();
+    const World wider = wide.floor(20, 40, -10, 10).world();
+    Walker lost{.world = wider, .query = query};
+    EXPECT_EQ(lost.at({30, 0, 0}).to({5, 0, 0}).run(), Status::gave_up);
+    EXPECT_EQ(lost.follower.reason(), Reason::off_mesh);
+    EXPECT_LT(lost.seconds, 3);
+}
+
+// Broken variant: the driver is never called, and it stops where the ground ends.
+TEST(NavigationFollow, GoesOverLinks) {
+    Scene scene;
+    scene.block({-10, 0, -5}, {0, 2, 5}).floor(0, 12, -5, 5);
+    const World world = scene.world();
+    NavigationMesh mesh = built(world);
+    const NavigationLink drop{.from = {-1, 2, 0}, .to = {1.5, 0, 0}, .takeoff = {-0.45, 2, 0}, .inputs = {}};
+    const auto left_out = mesh.set_links({&drop, 1});
+    ASSERT_TRUE(left_out.has_value());
+    ASSERT_EQ(*left_out, 0U);
+    const NavigationQuery query(mesh);
+    const WalkReport report = walk_path(world, {}, query, {-8, 2, 3}, {10, 0, -3});
+    EXPECT_TRUE(report.arrived) << sentence(report.reason);
+    EXPECT_EQ(report.links, 1U);
+    EXPECT_EQ(report.plans, 1U);
+    const WalkReport back = walk_path(world, {}, query, {10, 0, -3}, {-8, 2, 3});
+    EXPECT_EQ(back.reason, Reason::no_path) << "a drop is no way up";
+}
+
+TEST(NavigationFollow, GivesUpALinkThatDoesNotLeadToItsEnd) {
+    Scene scene;
+    scene.block({-10, 0, -5}, {0, 2, 5}).floor(0, 12, -5, 5);
+    const World world = scene.world();
+    NavigationMesh mesh = built(world);
+    // It says that one can walk up a wall of two metres.
+    const NavigationLink lie{.from = {1, 0, 0},
+                             .to = {-1, 2, 0},
+                             .takeoff = {1, 0, 0},
+                             .kind = NavigationLinkKind::step_up,
+                             .seconds = 0.5,
+                             .inputs = {}};
+    ASSERT_TRUE(mesh.set_links({&lie, 1}).has_value());
+    const WalkReport report = walk_path(world, {}, mesh, {10, 0, -3}, {-8, 2, 3}, {.most_seconds = 100});
+    EXPECT_FALSE(report.arrived);
+    EXPECT_EQ(report.reason, Reason::link_failed);
+}
+
+TEST(NavigationFollow, SaysEachReasonInItsOwnWords) {
+    std::vector<std::string_view> all;
+    for (const Reason reason :
+         {Reason::none, Reason::off_mesh, Reason::goal_off_mesh, Reason::no_path, Reason::stuck, Reason::link_failed}) {
+        EXPECT_EQ(std::count(all.begin(), all.end(), sentence(reason)), 0);
+        all.push_back(sentence(reason));
+    }
+}
+
+}  // namespace
+}  // namespace surefoot::tests
