@@ -128,10 +128,9 @@ bool NavigationOverlay::update() {
         }
     }
     if (!here_) return maker_.is_busy();
-    const NavigationQuery& query = here_->way.query();
     const auto wanted = static_cast<std::size_t>(std::lround(runners_wanted_));
-    if (here_->runners.all().size() != wanted) here_->runners.be(wanted, *here_->scene, query, start_);
-    const bool runs = here_->runners.run(*here_->scene, query, here_->target.feet());
+    if (here_->runners.size() != wanted) here_->runners.be(wanted, start_);
+    const bool runs = here_->runners.run(here_->target.feet());
     if (plays_) {
         const auto last = static_cast<double>(here_->way.rounds());
         // Ten seconds for the longest, and never slower than a polygon in a few ticks.

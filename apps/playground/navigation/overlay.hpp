@@ -69,7 +69,8 @@ public:
 private:
     /// All that belongs to one mesh.
     struct Here {
-        explicit Here(std::unique_ptr<NavigationScene> made) : scene(std::move(made)), way(*scene), target(*scene) {}
+        explicit Here(std::unique_ptr<NavigationScene> made)
+            : scene(std::move(made)), way(*scene), target(*scene), runners(*scene) {}
 
         std::unique_ptr<NavigationScene> scene;
         NavigationWay way;

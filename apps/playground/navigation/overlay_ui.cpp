@@ -106,8 +106,8 @@ void NavigationOverlay::runner_ui() {
     ui::hint(
         "With Shift the start; with Control it takes a polygon out, or puts it back. Drag the target at any time.");
     ui::slider("Runners", runners_wanted_, 0, 20, "%.0f");
-    if (here_->runners.all().empty()) return;
-    if (ui::button("Scatter")) here_->runners.scatter(*here_->scene, here_->way.query(), start_);
+    if (here_->runners.size() == 0) return;
+    if (ui::button("Scatter")) here_->runners.scatter(start_);
     ui::hint("Everybody begins somewhere else, the first at the start.");
     ui::note(here_->runners.words());
 }

@@ -21,9 +21,8 @@ constexpr Colour gone = rgb(0x868E96);
 // Beyond this the sides of polygons are a mush, and they are many on a large level.
 constexpr double side_distance = 70;  // [m]
 
-void fill(view::Renderer& renderer, const NavigationOutline& outline, const dvec3& lift, Colour colour) {
-    for (std::uint32_t i = 2; i < outline.corners; ++i)
-        renderer.triangle(outline.corner[0] + lift, outline.corner[i - 1] + lift, outline.corner[i] + lift, colour);
+void fill(view::Renderer& renderer, const DrapedPolygon& polygon, const dvec3& lift, Colour colour) {
+    for (const auto& t : polygon.triangles) renderer.triangle(t[0] + lift, t[1] + lift, t[2] + lift, colour);
 }
 
 /// Strokes across a polygon, all over the mesh in the same lines.
@@ -88,22 +87,23 @@ void mesh(view::Renderer& renderer, const NavigationScene& scene) {
     const dvec3& up = scene.up();
     const dvec3 eye = renderer.view().camera.eye;
     const auto areas = scene.mesh.areas();
-    for (const NavigationOutline& outline : scene.outlines) {
+    for (std::size_t k = 0; k < scene.outlines.size(); ++k) {
+        const NavigationOutline& outline = scene.outlines[k];
+        const DrapedPolygon& draped = scene.draped[k];
         const bool shut = outline.area < areas.size() && areas[outline.area].closed;
         const Colour own = outline.taken_out ? gone : shut ? view::paint::start : area_colour(outline.area);
-        fill(renderer, outline, up * fill_lift, with_opacity(own, outline.taken_out ? 0.5 : 0.3));
+        fill(renderer, draped, up * fill_lift, with_opacity(own, outline.taken_out ? 0.5 : 0.3));
         if (glm::length(outline.corner[0] - eye) > side_distance) continue;
         if (outline.taken_out || shut) hatch(renderer, outline, up);
         for (std::uint32_t i = 0; i < outline.corners; ++i) {
             const NavigationPolygon beside = outline.beside[i];
             if (beside && beside.id < outline.polygon.id) continue;  // the other one draws it
-            const dvec3 from = outline.corner[i] + up * line_lift;
-            const dvec3 to = outline.corner[(i + 1) % outline.corners] + up * line_lift;
+            const std::vector<dvec3> side = lifted(draped.sides[i], up * line_lift);
             const Colour dark = view::mixed(own, view::paint::ink, 0.45);
             if (beside) {
-                renderer.line(from, to, {.colour = with_opacity(dark, 0.55), .width = 1, .behind = 0});
+                renderer.polyline(side, {.colour = with_opacity(dark, 0.55), .width = 1, .behind = 0});
             } else {
-                renderer.line(from, to, {.colour = with_opacity(dark, 0.95), .width = 2.2, .behind = 0.08});
+                renderer.polyline(side, {.colour = with_opacity(dark, 0.95), .width = 2.2, .behind = 0.08});
             }
         }
     }
@@ -156,14 +156,14 @@ void search(view::Renderer& renderer, const NavigationScene& scene, std::span<co
     const dvec3& up = scene.up();
     for (const NavigationSearchNode& node : nodes) {
         const Colour colour = node.open ? open_node : closed_node;
-        fill(renderer, scene.mesh.outline(node.polygon), up * line_lift, with_opacity(colour, 0.55));
+        if (const DrapedPolygon* const polygon = scene.draped_of(node.polygon))
+            fill(renderer, *polygon, up * line_lift, with_opacity(colour, 0.55));
         renderer.point(node.position + up * path_lift, 6, view::mixed(colour, view::paint::ink, 0.3), 0.1);
     }
     if (looked_at == nullptr) return;
-    const NavigationOutline outline = scene.mesh.outline(looked_at->polygon);
-    std::vector<dvec3> border;
-    for (std::uint32_t i = 0; i < outline.corners; ++i) border.push_back(outline.corner[i] + up * path_lift);
-    renderer.polyline(border, {.colour = closed_node, .width = 4, .behind = 0.5}, true);
+    if (const DrapedPolygon* const polygon = scene.draped_of(looked_at->polygon))
+        for (const std::vector<dvec3>& side : polygon->sides)
+            renderer.polyline(lifted(side, up * path_lift), {.colour = closed_node, .width = 4, .behind = 0.5});
     renderer.label(
         {.place = looked_at->position + up * 0.5,
          .text = fmt::format("{:.1f} m to here, {:.1f} m in all at least", looked_at->cost, looked_at->estimate),
@@ -191,16 +191,17 @@ void target(view::Renderer& renderer, const NavigationTarget& target, bool is_ho
 }
 
 void runners(view::Renderer& renderer, const NavigationScene& scene, const NavigationRunners& runners, double waiting) {
-    for (const NavigationRunners::Runner& runner : runners.all()) {
-        const dvec3 place = runner.drawn_position(waiting);
-        const NavigationFollowStatus status = runner.follower.status();
+    for (std::size_t i = 0; i < runners.size(); ++i) {
+        const NavigationFollower& follower = runners.follower(i);
+        const dvec3 place = runners.drawn_position(i, waiting);
+        const NavigationFollowStatus status = follower.status();
         const Colour colour = status == NavigationFollowStatus::arrived   ? view::paint::end
                               : status == NavigationFollowStatus::gave_up ? view::paint::start
                                                                           : view::paint::hit;
         renderer.shape(scene.settings.volume, place, {.colour = colour, .opacity = 0.85, .outline = 2});
         if (status != NavigationFollowStatus::following) continue;
         const dvec3 feet = place - scene.up() * (scene.mesh.agent().feet - path_lift);
-        renderer.line(feet, runner.follower.heading_for() + scene.up() * path_lift,
+        renderer.line(feet, follower.heading_for() + scene.up() * path_lift,
                       {.colour = with_opacity(colour, 0.9), .width = 1.5, .behind = 0.2});
     }
 }

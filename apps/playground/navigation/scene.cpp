@@ -1,8 +1,10 @@
 #include "playground/navigation/scene.hpp"
 
+#include <algorithm>
 #include <new>
 
 #include <surefoot/character.hpp>
+#include <surefoot/navigation_links.hpp>
 
 namespace surefoot::playground {
 namespace {
@@ -17,16 +19,18 @@ void NavigationScene::read_outlines() {
     mesh.outlines(outlines);
 }
 
+const DrapedPolygon* NavigationScene::draped_of(NavigationPolygon polygon) const {
+    const auto found = std::find_if(outlines.begin(), outlines.end(),
+                                    [&](const NavigationOutline& outline) { return outline.polygon == polygon; });
+    return found == outlines.end() ? nullptr : &draped[static_cast<std::size_t>(found - outlines.begin())];
+}
+
 LinkArc arc_of(const World& world, const CharacterSettings& settings, const NavigationMesh& mesh,
                const NavigationLink& link) {
-    constexpr int settle = 60;             // [ticks]
     constexpr std::size_t most = 60 * 30;  // places; no link takes so long
     const dvec3 feet = mesh.up() * mesh.agent().feet;
-    CharacterState state;
-    state.position = link.from + feet;
+    CharacterState state = stand_at(world, settings, link.from, mesh.up(), link.tick);
     CharacterInput input{.up = mesh.up()};
-    for (int i = 0; i < settle && (i == 0 || state.footing != Footing::ground); ++i)
-        state = step(world, settings, input, link.tick, state).state;
     LinkArc arc{link.kind, {state.position - feet}};
     for (const NavigationInput& told : link.inputs) {
         input.wish = told.wish;
@@ -57,8 +61,10 @@ Expected<std::unique_ptr<NavigationScene>> make_scene(const NavigationGroundPoin
                                           {.areas = areas, .surface_areas = surface_areas, .progress = progress});
         if (!mesh) return tl::unexpected(mesh.error());
         auto scene = std::unique_ptr<NavigationScene>(
-            new NavigationScene{ground, std::move(world), settings, std::move(*mesh), {}, {}});
+            new NavigationScene{ground, std::move(world), settings, std::move(*mesh), {}, {}, {}});
         scene->read_outlines();
+        for (const NavigationOutline& outline : scene->outlines)
+            scene->draped.push_back(drape(scene->world, scene->mesh, outline));
         for (const NavigationLink& link : scene->mesh.links())
             scene->arcs.push_back(arc_of(scene->world, settings, scene->mesh, link));
         return scene;

@@ -12,6 +12,7 @@
 #include <surefoot/navigation_mesh.hpp>
 #include <surefoot/world.hpp>
 
+#include "playground/navigation/draped.hpp"
 #include "playground/navigation/ground.hpp"
 
 namespace surefoot::playground {
@@ -28,12 +29,16 @@ struct NavigationScene {
     CharacterSettings settings;  ///< with the rules of `ground`
     NavigationMesh mesh;
     std::vector<NavigationOutline> outlines;
-    std::vector<LinkArc> arcs;
+    std::vector<LinkArc> arcs;            ///< by the number of the link
+    std::vector<DrapedPolygon> draped{};  ///< by the place in `outlines`
 
     [[nodiscard]] const dvec3& up() const { return mesh.up(); }
 
     /// Where the reference point is when the feet are here.
     [[nodiscard]] dvec3 above(const dvec3& feet) const { return feet + up() * mesh.agent().feet; }
+
+    /// Null for a link, and for a polygon that is not there.
+    [[nodiscard]] const DrapedPolygon* draped_of(NavigationPolygon polygon) const;
 
     /// Reads the outlines again, after polygons were taken out.
     void read_outlines();
