@@ -13,17 +13,20 @@ constexpr double bend = 0.08;       // how far the ground may be from the middle
 class Drape {
 public:
     Drape(const World& world, const NavigationMesh& mesh)
-        : world_(world), reach_(mesh.up() * (0.8 * mesh.agent().height)) {}
+        : world_(world), up_(mesh.up()), reach_(mesh.up() * (0.8 * mesh.agent().height)) {}
 
     [[nodiscard]] dvec3 ground(const dvec3& place) const {
         const auto hit = world_.ray({place + reach_, place - reach_});
         return hit && hit->status == HitStatus::ok ? hit->point : place;
     }
 
+    /// Level length: at a cliff, pieces of a side do not get shorter than the cliff is high.
+    [[nodiscard]] double across(const dvec3& way) const { return glm::length(way - up_ * glm::dot(way, up_)); }
+
     /// The ground below the middle of a side, if the side has to be cut there: the same from both of its ends.
     [[nodiscard]] bool cut(const dvec3& a, const dvec3& b, dvec3& middle) const {
         const dvec3 flat = (a + b) * 0.5;
-        if (glm::length(b - a) < least_side) return false;
+        if (across(b - a) < least_side) return false;
         middle = ground(flat);
         return glm::length(middle - flat) > bend;
     }
@@ -44,7 +47,7 @@ public:
         std::size_t which = 3;
         dvec3 at{0, 0, 0};
         for (std::size_t i = 0; i < 3; ++i) {
-            const double length = glm::length(t[(i + 1) % 3] - t[i]);
+            const double length = across(t[(i + 1) % 3] - t[i]);
             dvec3 middle;
             if (length <= longest || !cut(t[i], t[(i + 1) % 3], middle)) continue;
             longest = length;
@@ -63,6 +66,7 @@ public:
 
 private:
     const World& world_;
+    dvec3 up_;
     dvec3 reach_;
 };
 
