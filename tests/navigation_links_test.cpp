@@ -172,7 +172,7 @@ TEST(NavigationLinks, AGapThatOnlyTheLuckyGetOverIsNotJumped) {
 TEST(NavigationLinks, EachMarginRefusesLinks) {
     const auto narrowest_refused = [](const NavigationLinkMargins& margins) {
         double width = 3;
-        for (; width < 6; width += 0.05) {
+        for (; width < 6; width += 0.1) {
             Level level = level_of(gap(width));
             level.options.margins = margins;
             if (level.links().empty()) break;
@@ -209,25 +209,61 @@ TEST(NavigationLinks, ABlockIsJumpedOntoAsHighAsTheCharacterJumps) {
 TEST(NavigationLinks, ALowCeilingOverAGapLetsNobodyJump) {
     EXPECT_FALSE(level_of(gap(3)).links().empty());
     Level low = level_of(gap(3).block({-2, 22, -3}, {2, 23, 3}));
-    EXPECT_TRUE(low.links().empty());
+    EXPECT_EQ(count(low.links(), Kind::jump), 0U);
     EXPECT_GT(low.report.tried[1], 0U) << "nothing was proposed, so this shows nothing";
 }
 
 // Broken variants: steps are not proposed; they are taken for jumps.
 TEST(NavigationLinks, AStepThatTheMeshIsTooCoarseForIsWalked) {
     Level level = level_of(terrace(0.38));
-    EXPECT_TRUE(level.links().empty()) << "the mesh has the step itself";
-    level.mesh_options.cell_height = 0.15;
-    level.mesh_options.cell_size = 0.1;
+    const dvec3 low{-8, 0, 0};
+    const dvec3 high{0, 0.38, 0};
+    int too_coarse = 0;
+    for (const double cell_height : {0.01, 0.0525, 0.075, 0.09, 0.11, 0.19}) {
+        level.mesh_options.cell_height = cell_height;
+        level.settings.step_up = 0.4;
+        NavigationMesh mesh = level.mesh();
+        const auto is_joined = [&] {
+            const NavigationQuery query(mesh);
+            const auto up = query.path(*query.nearest(low, 1, 0.3), *query.nearest(high, 1, 0.3));
+            const auto down = query.path(*query.nearest(high, 1, 0.3), *query.nearest(low, 1, 0.3));
+            return up && down && !up->partial && !down->partial;
+        };
+        const auto links = find_links(level.world, level.settings, mesh, level.options);
+        if (is_joined()) {
+            EXPECT_TRUE(links.empty()) << "the mesh has the step itself";
+            continue;
+        }
+        ++too_coarse;
+        EXPECT_GE(count(links, Kind::step_up), 8U);
+        EXPECT_EQ(count(links, Kind::step_up), links.size());
+        expect_replays(level, links);
+        for (const NavigationLink& link : links)
+            for (const NavigationInput& input : link.inputs) EXPECT_EQ(input.jump, 0);
+        ASSERT_TRUE(mesh.set_links(links).has_value());
+        EXPECT_TRUE(is_joined());
+        // Whoever cannot step has to jump.
+        level.settings.step_up = 0.2;
+        const auto jumps = level.links();
+        EXPECT_GE(jumps_up(jumps, 0.3), 8U);
+        for (const NavigationLink& link : jumps) EXPECT_TRUE(link.kind != Kind::step_up || rise(link) < 0);
+    }
+    EXPECT_GT(too_coarse, 0) << "the mesh has become too good for this";
+}
+
+// Broken variant: regions are not looked at.
+TEST(NavigationLinks, NobodyWalksThroughWhatIsForbidden) {
+    Scene scene;
+    Level level = level_of(scene.floor(-6, 6, -3, 3));
+    const std::array<NavigationRegion, 1> lava{
+        {{.name = "lava", .half_extents = {0.3, 1, 4}, .kind = NavigationRegion::Kind::forbid}}};
+    level.mesh_options.regions = lava;
     const auto links = level.links();
-    EXPECT_GE(count(links, Kind::step_up), 8U);
-    EXPECT_EQ(count(links, Kind::jump), 0U);
-    expect_replays(level, links);
-    for (const NavigationLink& link : links)
-        for (const NavigationInput& input : link.inputs) EXPECT_EQ(input.jump, 0);
-    // Whoever cannot step has to jump.
-    level.settings.step_up = 0.2;
-    EXPECT_EQ(count(level.links(), Kind::step_up), 0U);
+    EXPECT_GE(count(links, Kind::step_up), 4U) << "feet know nothing of it";
+    level.options.regions = lava;
+    const auto over = level.links();
+    EXPECT_EQ(count(over, Kind::step_up), 0U);
+    EXPECT_GE(count(over, Kind::jump), 4U);
 }
 
 // Broken variants: ladders are not proposed; every wall is one.

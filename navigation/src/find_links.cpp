@@ -16,9 +16,6 @@ namespace surefoot {
 namespace navigation {
 namespace {
 
-/// From one place two links lead to one island only if they end so far apart [m].
-constexpr double ends_apart = 4;
-
 bool is_valid(const NavigationLinkOptions& options) {
     const NavigationLinkMargins& margins = options.margins;
     const auto is_length = [](double length) { return length >= 0 && std::isfinite(length); };
@@ -37,10 +34,10 @@ struct Found {
 
 class Finder {
 public:
-    Finder(const World& world, const LinkGround& ground)
+    explicit Finder(const LinkGround& ground)
         : ground_(ground),
           proposer_(ground),
-          proof_(world, ground.settings, ground.mesh, ground.islands, ground.options) {}
+          proof_(ground.world, ground.settings, ground.mesh, ground.islands, ground.options) {}
 
     [[nodiscard]] Found from(const BorderPlace& place) { return proven(proposer_.from(place)); }
 
@@ -48,10 +45,7 @@ public:
         Found found;
         const std::uint64_t before = proof_.ticks();
         for (LinkProposal& proposal : proposals) {
-            const auto is_alike = [&](const LinkProposal& other) {
-                return other.to_island == proposal.to_island && length(other.link.to - proposal.link.to) < ends_apart;
-            };
-            if (std::any_of(found.done.begin(), found.done.end(), is_alike) || !proposer_.is_useful(proposal)) continue;
+            if (!proposer_.is_useful(proposal, found.done)) continue;
             const auto kind = static_cast<std::size_t>(proposal.link.kind);
             ++found.report.tried[kind];
             if (!proof_.holds(proposal.link, proposal.to_island)) continue;
@@ -68,14 +62,14 @@ private:
     LinkProof proof_;
 };
 
-std::vector<Found> find_all(const World& world, const LinkGround& ground, const std::vector<LinkProposal>& ladders) {
+std::vector<Found> find_all(const LinkGround& ground, const std::vector<LinkProposal>& ladders) {
     const std::size_t places = ground.places.size();
     std::vector<Found> found(places + ladders.size());
     std::atomic<std::size_t> next = 0;
     std::mutex telling;
     std::size_t done = 0;
     const auto work = [&] {
-        Finder finder(world, ground);
+        Finder finder(ground);
         for (std::size_t i = next++; i < found.size(); i = next++) {
             found[i] = i < places ? finder.from(ground.places[i]) : finder.proven({ladders[i - places]});
             const std::lock_guard lock(telling);
@@ -134,9 +128,9 @@ std::vector<NavigationLink> find_links(const World& world, const CharacterSettin
         const std::vector<BorderPlace> places = border_places(mesh.state(), islands, options.spacing);
         Spots spots(longest_jump(settings, options));
         for (std::uint32_t i = 0; i < places.size(); ++i) spots.add(places[i].place, i);
-        const LinkGround ground{settings, mesh, options, islands, places, spots};
+        const LinkGround ground{world, settings, mesh, options, islands, places, spots};
         std::vector<LinkProposal> done;
-        for (Found& found : find_all(world, ground, ladder_proposals(world, ground))) {
+        for (Found& found : find_all(ground, ladder_proposals(ground))) {
             std::move(found.done.begin(), found.done.end(), std::back_inserter(done));
             for (std::size_t kind = 0; kind < std::size(all.tried); ++kind) {
                 all.tried[kind] += found.report.tried[kind];

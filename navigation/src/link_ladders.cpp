@@ -43,7 +43,7 @@ struct Ladder {
     }
 };
 
-std::vector<Ladder> faces(const World& world, const LinkGround& ground) {
+std::vector<Ladder> faces(const LinkGround& ground) {
     const MeshState& state = ground.mesh.state();
     const Plan& plan = state.plan;
     const Bounds all = bounds_out(plan.frame, {0, plan.low, 0},
@@ -53,8 +53,8 @@ std::vector<Ladder> faces(const World& world, const LinkGround& ground) {
     };
     const WorldQuery query{.layers = plan.layers, .triangles = climbed};
     std::vector<SourceTriangle> found(1024);
-    for (std::size_t count = 0; (count = world.gather(all, found, query)) > found.size();) found.resize(count);
-    found.resize(world.gather(all, found, query));
+    for (std::size_t count = 0; (count = ground.world.gather(all, found, query)) > found.size();) found.resize(count);
+    found.resize(ground.world.gather(all, found, query));
     std::vector<Ladder> ladders;
     const dvec3 up = ground.mesh.up();
     for (const SourceTriangle& source : found) {
@@ -102,7 +102,7 @@ std::vector<Ladder> whole(const std::vector<Ladder>& faces) {
 
 }  // namespace
 
-std::vector<LinkProposal> ladder_proposals(const World& world, const LinkGround& ground) {
+std::vector<LinkProposal> ladder_proposals(const LinkGround& ground) {
     std::vector<LinkProposal> proposals;
     if (!(ground.settings.ladder_speed > 0) ||
         std::none_of(ground.settings.surfaces.all().begin(), ground.settings.surfaces.all().end(),
@@ -112,7 +112,7 @@ std::vector<LinkProposal> ladder_proposals(const World& world, const LinkGround&
     const NavigationAgent& agent = ground.mesh.agent();
     const dvec3 up = ground.mesh.up();
     const double vertical = agent.climb + 0.3;
-    for (const Ladder& ladder : whole(faces(world, ground))) {
+    for (const Ladder& ladder : whole(faces(ground))) {
         const double width = ladder.right - ladder.left;
         const int count = std::max(1, static_cast<int>(width / ground.options.spacing));
         for (int i = 0; i < count; ++i) {

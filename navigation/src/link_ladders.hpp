@@ -6,6 +6,6 @@
 namespace surefoot::navigation {
 
 /// For each ladder, and each stretch of `spacing` of a wide one, the ways up on either side.
-[[nodiscard]] std::vector<LinkProposal> ladder_proposals(const World& world, const LinkGround& ground);
+[[nodiscard]] std::vector<LinkProposal> ladder_proposals(const LinkGround& ground);
 
 }  // namespace surefoot::navigation

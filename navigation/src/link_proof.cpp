@@ -1,6 +1,7 @@
 #include "link_proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <surefoot/navigation_drive.hpp>
 
@@ -51,6 +52,16 @@ LinkProof::LinkProof(const World& world, const CharacterSettings& settings, cons
       up_(mesh.up()),
       query_(mesh, 16) {}
 
+bool LinkProof::is_forbidden(const CharacterState& state) const {
+    if (state.footing != Footing::ground) return false;
+    const dvec3 feet = state.position - up_ * agent_.feet;
+    return std::any_of(options_.regions.begin(), options_.regions.end(), [&](const NavigationRegion& region) {
+        const dvec3 inside = to_body(region.pose, feet);
+        return region.kind == NavigationRegion::Kind::forbid && std::abs(inside.x) <= region.half_extents.x &&
+               std::abs(inside.y) <= region.half_extents.y && std::abs(inside.z) <= region.half_extents.z;
+    });
+}
+
 bool LinkProof::stands(CharacterState state, const dvec3& to, std::uint32_t island) {
     const int rest = static_cast<int>(stands_for / options_.tick);
     for (int i = 0; i < rest; ++i) state = step(world_, settings_, {.up = up_}, options_.tick, state).state;
@@ -68,7 +79,7 @@ bool LinkProof::gets_over(const NavigationLink& link, std::uint32_t island, Navi
     std::uint32_t ticks = 0;
     for (;;) {
         const CharacterInput input = drive(link, driver, state, settings_, options_.tick);
-        if (driver.status == NavigationDriveStatus::failed) return false;
+        if (driver.status == NavigationDriveStatus::failed || is_forbidden(state)) return false;
         if (driver.status == NavigationDriveStatus::arrived) break;
         if (record != nullptr) record_input(*record, input);
         state = step(world_, settings_, input, options_.tick, state).state;

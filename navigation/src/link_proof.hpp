@@ -21,6 +21,7 @@ public:
 
 private:
     [[nodiscard]] bool gets_over(const NavigationLink& link, std::uint32_t island, NavigationLink* record);
+    [[nodiscard]] bool is_forbidden(const CharacterState& state) const;
     [[nodiscard]] bool stands(CharacterState state, const dvec3& to, std::uint32_t island);
 
     const World& world_;

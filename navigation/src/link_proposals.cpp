@@ -82,8 +82,11 @@ void LinkProposer::add_drops(const BorderPlace& place) {
         const auto below = query_.under(over, options.deepest_drop, 0);
         if (!below) continue;
         const double drop = above(below->position, place.place);
-        if (drop <= agent_.climb || std::abs(drop - last) < 0.05) continue;
+        // What is hardly more than a step is walked.
+        const double step = agent_.climb + ground_.mesh.state().plan.cell_height;
+        if (drop <= step || std::abs(drop - last) < 0.05) continue;
         last = drop;
+        if (is_walled(place.place, over, false)) break;
         add(NavigationLinkKind::drop, place, below->position, ground_.islands.of(below->polygon.id), 0, beyond);
     }
 }
@@ -93,12 +96,35 @@ void LinkProposer::add_crossing(const BorderPlace& place, const BorderPlace& goa
     const double rise = above(place.place, goal.place);
     const double distance = length(level(goal.place - place.place));
     const double rank = distance + std::abs(rise);
-    if (std::abs(rise) <= agent_.climb + ground_.mesh.state().plan.cell_height && distance < 2 * agent_.radius + 1)
+    if (std::abs(rise) <= agent_.climb + ground_.mesh.state().plan.cell_height && distance < 2 * agent_.radius + 1 &&
+        !is_walled(place.place, goal.place, false))
         add(NavigationLinkKind::step_up, place, to, goal.island, 0, rank);
-    add(NavigationLinkKind::jump, place, to, goal.island, 0, rank + 0.5);
-    if (rise <= agent_.climb) return;
+    if (!is_walled(place.place, goal.place, true)) add_jumps(place, goal, to, rank + 0.5);
+}
+
+void LinkProposer::add_jumps(const BorderPlace& place, const BorderPlace& goal, const dvec3& to, double rank) {
+    add(NavigationLinkKind::jump, place, to, goal.island, 0, rank);
+    // Whoever is late must not step on to forbidden ground.
+    if (!ground_.options.regions.empty())
+        add(NavigationLinkKind::jump, place, to, goal.island, ground_.options.margins.along + 0.1, rank);
+    if (above(place.place, goal.place) <= agent_.climb) return;
     // Up a wall there may be more way to rise on from farther back.
-    for (const double behind : {0.6, 1.2}) add(NavigationLinkKind::jump, place, to, goal.island, behind, rank + 0.5);
+    for (const double behind : {0.6, 1.2}) add(NavigationLinkKind::jump, place, to, goal.island, behind, rank);
+}
+
+bool LinkProposer::is_walled(const dvec3& from, const dvec3& to, bool jumps) const {
+    const auto is_blocked = [&](const dvec3& a, const dvec3& b) {
+        return ground_.world.ray_any({a, b}, {.layers = ground_.mesh.state().plan.layers});
+    };
+    const dvec3 middle = up_ * agent_.feet;
+    if (!is_blocked(from + middle, to + middle)) return false;
+    if (!jumps) return true;
+    const double rise = above(from, to);
+    const double least = std::max(rise, 0.0);
+    const double most = std::max(ground_.settings.jump_height, least);
+    for (const double lift : {least, (least + most) / 2, most})
+        if (!is_blocked(from + middle + up_ * lift, to + middle + up_ * (lift - rise))) return false;
+    return true;
 }
 
 void LinkProposer::add_crossings(const BorderPlace& place) {
@@ -145,15 +171,23 @@ std::vector<LinkProposal> LinkProposer::from(const BorderPlace& place) {
     return std::move(found_);
 }
 
-bool LinkProposer::is_useful(const LinkProposal& proposal) {
-    if (proposal.from_island != proposal.to_island) return true;
+bool LinkProposer::is_far(const dvec3& from, const dvec3& to, const NavigationLink& link) {
     const double vertical = std::max(agent_.climb, 0.2);
-    const auto from = query_.nearest(proposal.link.from, agent_.radius, vertical);
-    const auto to = query_.nearest(proposal.link.to, agent_.radius, vertical);
-    if (!from || !to) return false;
-    const auto walk = query_.path(*from, *to);
-    const double direct = length(proposal.link.to - proposal.link.from);
+    const auto start = query_.nearest(from, agent_.radius, vertical);
+    const auto end = query_.nearest(to, agent_.radius, vertical);
+    if (!start || !end) return false;
+    const auto walk = query_.path(*start, *end);
+    const double direct = length(link.to - link.from);
     return walk && (walk->partial || walk->length > ground_.options.shortcut * direct + ground_.options.least_saving);
+}
+
+bool LinkProposer::is_useful(const LinkProposal& proposal, std::span<const LinkProposal> others) {
+    const NavigationLink& link = proposal.link;
+    const auto replaces = [&](const LinkProposal& other) {
+        return other.to_island == proposal.to_island && !is_far(other.link.to, link.to, link);
+    };
+    return std::none_of(others.begin(), others.end(), replaces) &&
+           (proposal.from_island != proposal.to_island || is_far(link.from, link.to, link));
 }
 
 }  // namespace surefoot::navigation

@@ -20,6 +20,7 @@ struct LinkProposal {
 
 /// What is the same for all threads.
 struct LinkGround {
+    const World& world;
     const CharacterSettings& settings;
     const NavigationMesh& mesh;
     const NavigationLinkOptions& options;
@@ -41,15 +42,21 @@ public:
     /// All ways on from a place of the border, those first that are likely and short.
     [[nodiscard]] std::vector<LinkProposal> from(const BorderPlace& place);
 
-    /// Would anybody want it? It joins what walking does not, or is much shorter than the walk.
-    [[nodiscard]] bool is_useful(const LinkProposal& proposal);
+    /// Would anybody want it, who has these others from the same place already? It joins what walking does not, or is
+    /// much shorter than the walk.
+    [[nodiscard]] bool is_useful(const LinkProposal& proposal, std::span<const LinkProposal> others);
 
 private:
     void add_drops(const BorderPlace& place);
     void add_crossings(const BorderPlace& place);
     void add_crossing(const BorderPlace& place, const BorderPlace& goal);
+    void add_jumps(const BorderPlace& place, const BorderPlace& goal, const dvec3& to, double rank);
+    /// Is the walk so long that the link is wanted?
+    [[nodiscard]] bool is_far(const dvec3& from, const dvec3& to, const NavigationLink& link);
     void add(NavigationLinkKind kind, const BorderPlace& place, const dvec3& to, std::uint32_t to_island, double behind,
              double rank);
+    /// Is there a wall between them that reaches up farther than a jump leads, or for those who walk at all?
+    [[nodiscard]] bool is_walled(const dvec3& from, const dvec3& to, bool jumps) const;
     /// Along the ground, as far as it goes and `most` at most.
     [[nodiscard]] dvec3 along_ground(const dvec3& place, const dvec3& way, double most);
     [[nodiscard]] double above(const dvec3& from, const dvec3& to) const;

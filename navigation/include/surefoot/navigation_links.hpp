@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <surefoot/character.hpp>
@@ -38,6 +39,9 @@ struct NavigationLinkOptions {
     double least_saving = 5;  ///< [m, >= 0]
 
     NavigationLinkMargins margins{};
+
+    /// Those of the mesh: feet do not touch the ground where it is forbidden.
+    std::span<const NavigationRegion> regions{};
 
     /// How many threads may work [1 to 64]. The result is the same.
     int threads = 2;
