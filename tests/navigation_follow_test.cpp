@@ -181,12 +181,32 @@ TEST(NavigationFollow, PlansAnewFromWhereItWasThrown) {
     const NavigationQuery query(mesh);
     Walker walker{.world = world, .query = query};
     walker.at({-5, 0, -8}).to({5, 0, -8});
-    for (int i = 0; i < 60; ++i) walker.tick();
-    walker.tick({-8, 6, -16});
+    for (int i = 0; i < 160; ++i) walker.tick();
+    ASSERT_GT(walker.feet().x, -1);
+    walker.tick({-10, 6, -14});
+    for (int i = 0; i < 20; ++i) walker.tick();
+    EXPECT_EQ(walker.follower.plans(), 2U) << "it is far from its path";
     EXPECT_EQ(walker.run(), Status::arrived);
-    EXPECT_GE(walker.follower.plans(), 2U);
     walker.at({-5, 0, 8});
     EXPECT_EQ(walker.to({5, 0, 5}).run(), Status::arrived) << "it was put somewhere else between two walks";
+}
+
+// Broken variant: a place on the floor below counts as one on the path above it.
+TEST(NavigationFollow, PlansAnewFromTheFloorBelow) {
+    Scene scene;
+    scene.floor(-20, 12, -8, 8).quad({-4, 3, -2}, {-4, 3, 2}, {10, 3, 2}, {10, 3, -2});
+    scene.quad({-12, 0, -2}, {-12, 0, 2}, {-4, 3, 2}, {-4, 3, -2});
+    const World world = scene.world();
+    const NavigationMesh mesh = built(world);
+    const NavigationQuery query(mesh);
+    Walker walker{.world = world, .query = query};
+    walker.at({-10, 0.75, 0}).to({8, 3, 0});
+    while (walker.feet().x < 0 && walker.seconds < 5) walker.tick();
+    ASSERT_GT(walker.feet().y, 2.8);
+    walker.at({1, 0, 0}).seconds = 0;
+    EXPECT_EQ(walker.run(), Status::arrived);
+    EXPECT_EQ(walker.follower.plans(), 2U);
+    EXPECT_LT(walker.seconds, (2 * 14 + 8) / 6.0 + 0.6);
 }
 
 // Broken variant: no way back for whoever was pushed beyond the mesh's border.
@@ -195,7 +215,11 @@ TEST(NavigationFollow, ComesBackToTheMesh) {
     const NavigationMesh mesh = built(world);
     const NavigationQuery query(mesh);
     Walker walker{.world = world, .query = query};
-    EXPECT_EQ(walker.at({-9.9, 0, 0}).to({-9, 0, 9}).run(), Status::arrived);
+    walker.at({-9.9, 0, -9}).to({-9.55, 0, 9});
+    for (int i = 0; i < 40; ++i) walker.tick();
+    walker.farthest_off_mesh = 0;
+    EXPECT_EQ(walker.run(), Status::arrived);
+    EXPECT_LT(walker.farthest_off_mesh, 0.05);
     EXPECT_GT(walker.lowest, -0.1);
 }
 

@@ -37,6 +37,8 @@ std::string_view sentence(NavigationFollowReason reason) noexcept {
             return "no path leads from the character to the goal";
         case Reason::stuck:
             return "the character ran on and got no nearer to the goal, however often it planned";
+        case Reason::local_minimum:
+            return "the potential has a minimum here that is not the goal";
         case Reason::link_failed:
             return "a link was tried again and again and did not lead to its end";
     }
@@ -68,14 +70,28 @@ void NavigationFollower::go(const NavigationQuery& query, const dvec3& goal) {
         return give_up(Reason::goal_off_mesh);
     }
     const double moved = length(found->position - goal_.position);
-    if (status_ == Status::following) return move_goal(query, *found);
+    if (status_ == Status::following && field_ == nullptr) return move_goal(query, *found);
     if (status_ == Status::arrived && moved <= options_.arrival) return;
     if (status_ == Status::gave_up && reason_ != Reason::goal_off_mesh &&
         length(found->position - planned_goal_) <= options_.goal_moved)
         return;
+    field_ = nullptr;
+    begin(*found);
+}
+
+void NavigationFollower::go(const NavigationQuery&, const NavigationField& field,
+                            const NavigationDescendOptions& options) {
+    if (field_ == &field && status_ == Status::following) return;
+    field_ = &field;
+    descend_ = options;
+    path_ = {};
+    begin(field.goal());
+}
+
+void NavigationFollower::begin(const NavigationPoint& goal) {
     status_ = Status::following;
     reason_ = Reason::none;
-    goal_ = *found;
+    goal_ = goal;
     wants_plan_ = true;
     least_left_ = std::numeric_limits<double>::infinity();
     without_ = lost_ = since_check_ = 0;
@@ -149,6 +165,9 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     ++plans_;
     planned_goal_ = goal_.position;
     const std::optional<NavigationPoint> beside = tried_ > 0 && tried_ % 2 == 0 ? step_aside(query) : std::nullopt;
+    along_ = begin_ = best_along_ = 0;
+    without_ = since_check_ = 0;
+    if (field_ != nullptr) return plan_down(query, beside);
     std::optional<NavigationPath> path = query.path(beside.value_or(place_), goal_);
     if (!path || (path->partial && !options_.go_near)) {
         give_up(Reason::no_path);
@@ -158,9 +177,17 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     // A line that keeps away from walls gets past what the shortest one snags on.
     line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
     if (beside) line_ = navigation::line_from(place_.position, line_);
-    along_ = begin_ = best_along_ = 0;
-    without_ = since_check_ = 0;
     return true;
+}
+
+bool NavigationFollower::plan_down(const NavigationQuery& query, const std::optional<NavigationPoint>& beside) {
+    NavigationDescent descent = field_->descend(query, beside.value_or(place_), descend_);
+    if (field_->potential() == NavigationPotential::straight)
+        descent.line = navigation::without_loops(descent.line, query.mesh().agent().radius);
+    line_ = beside ? navigation::line_from(place_.position, descent.line) : std::move(descent.line);
+    if (descent.arrived || (options_.go_near && !line_.points.empty())) return true;
+    give_up(descent.minima.empty() ? Reason::no_path : Reason::local_minimum);
+    return false;
 }
 
 void NavigationFollower::move_along(const NavigationQuery& query) {

@@ -1,16 +1,12 @@
 #include "follow_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace surefoot::navigation {
 namespace {
-
-void append(NavigationLine& line, const dvec3& place, std::optional<std::uint32_t> link = {}) {
-    const double along =
-        line.points.empty() ? 0 : line.points.back().along + length(place - line.points.back().position);
-    line.points.push_back({.position = place, .along = along, .link = link});
-}
 
 using Points = std::vector<NavigationLine::Point>;
 
@@ -23,6 +19,12 @@ std::size_t segment_at(const Points& points, double along) {
 }
 
 }  // namespace
+
+void append(NavigationLine& line, const dvec3& place, std::optional<std::uint32_t> link) {
+    const double along =
+        line.points.empty() ? 0 : line.points.back().along + length(place - line.points.back().position);
+    line.points.push_back({.position = place, .along = along, .link = link});
+}
 
 NavigationLine pulled_line(const NavigationPath& path) {
     NavigationLine line;
@@ -48,6 +50,33 @@ NavigationLine line_from(const dvec3& place, const NavigationLine& line) {
     append(whole, place);
     for (const NavigationLine::Point& point : line.points) append(whole, point.position, point.link);
     return whole;
+}
+
+NavigationLine without_loops(const NavigationLine& line, double cell) {
+    using Cell = std::array<std::int64_t, 3>;
+    std::map<Cell, std::size_t> known;  // which of the kept points lies in it
+    std::vector<Cell> cells;
+    std::vector<NavigationLine::Point> kept;
+    for (const NavigationLine::Point& point : line.points) {
+        Cell at{};
+        for (int axis = 0; axis < 3; ++axis)
+            at[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(point.position[axis] / cell));
+        const auto before = known.find(at);
+        const auto is_link = [](const NavigationLine::Point& p) { return p.link.has_value(); };
+        if (before != known.end() &&
+            std::none_of(kept.begin() + static_cast<std::ptrdiff_t>(before->second), kept.end(), is_link)) {
+            const std::size_t first = before->second;
+            for (std::size_t i = first; i < kept.size(); ++i) known.erase(cells[i]);
+            kept.resize(first);
+            cells.resize(first);
+        }
+        known[at] = kept.size();
+        kept.push_back(point);
+        cells.push_back(at);
+    }
+    NavigationLine result;
+    for (const NavigationLine::Point& point : kept) append(result, point.position, point.link);
+    return result;
 }
 
 dvec3 place_on(const NavigationLine& line, double along) {

@@ -1,11 +1,15 @@
 // The line that a follower keeps to.
 #pragma once
 
-#include <surefoot/navigation_follow.hpp>
+#include <surefoot/navigation_line.hpp>
+#include <surefoot/navigation_query.hpp>
 
 #include "frame.hpp"
 
 namespace surefoot::navigation {
+
+/// Goes on straight to a place, where a link may begin.
+void append(NavigationLine& line, const dvec3& place, std::optional<std::uint32_t> link = {});
 
 /// The pulled path.
 [[nodiscard]] NavigationLine pulled_line(const NavigationPath& path);
@@ -15,6 +19,9 @@ namespace surefoot::navigation {
 
 /// From a place straight to where a line begins, and along it.
 [[nodiscard]] NavigationLine line_from(const dvec3& place, const NavigationLine& line);
+
+/// Cuts out what leads back to where the line was before, to within `cell` [m]: wanderings. Links are kept.
+[[nodiscard]] NavigationLine without_loops(const NavigationLine& line, double cell);
 
 [[nodiscard]] dvec3 place_on(const NavigationLine& line, double along);
 

@@ -18,6 +18,8 @@
 #include <surefoot/character_settings.hpp>
 #include <surefoot/math.hpp>
 #include <surefoot/navigation_drive.hpp>
+#include <surefoot/navigation_field.hpp>
+#include <surefoot/navigation_line.hpp>
 #include <surefoot/navigation_link.hpp>
 #include <surefoot/navigation_query.hpp>
 
@@ -67,23 +69,12 @@ enum class NavigationFollowReason : std::uint8_t {
     goal_off_mesh,  ///< there is none near the goal
     no_path,        ///< none leads to the goal, or none any more: a door was shut
     stuck,          ///< it ran on and got nowhere, however often it planned
+    local_minimum,  ///< of the field that it descends: no way leads down any more
     link_failed,    ///< a link was tried again and again and did not lead to its end
 };
 
 /// The same as a sentence for a person.
 [[nodiscard]] std::string_view sentence(NavigationFollowReason reason) noexcept;
-
-/// A line on the mesh with the links on it, measured from its beginning.
-struct NavigationLine {
-    struct Point {
-        dvec3 position{0, 0, 0};
-        double along = 0;                     ///< from the beginning [m]
-        std::optional<std::uint32_t> link{};  ///< begins here and ends at the next point
-    };
-    std::vector<Point> points;
-
-    [[nodiscard]] double length() const noexcept { return points.empty() ? 0 : points.back().along; }
-};
 
 /// See the top of this file. A value: copies go on from the same place. `go` and plans allocate, which happens at the
 /// start and when something went wrong; other ticks do not. Not for two threads at once, no more than the query.
@@ -95,6 +86,10 @@ public:
     /// little, that costs one ray on the mesh. Who gave up tries again for a goal that is another by more than
     /// `goal_moved`, or after `stop`.
     void go(const NavigationQuery& query, const dvec3& goal);
+
+    /// Sends it to the goal of a field, down the field instead of along a path of its own, and makes do with that until
+    /// it is sent somewhere else. Non-owning: the field must outlive that.
+    void go(const NavigationQuery& query, const NavigationField& field, const NavigationDescendOptions& options = {});
 
     /// It stays where it is, sent nowhere. On a link that is where it happens to be.
     void stop() noexcept;
@@ -111,7 +106,8 @@ public:
     [[nodiscard]] NavigationFollowReason reason() const noexcept { return reason_; }
     [[nodiscard]] const NavigationFollowOptions& options() const noexcept { return options_; }
 
-    /// The path of the last plan, the line that is followed on it, and how far along that line it is [m].
+    /// The path of the last plan (that of a field has none), the line that is followed on it, and how far along that
+    /// line it is [m].
     [[nodiscard]] const NavigationPath& path() const noexcept { return path_; }
     [[nodiscard]] const NavigationLine& line() const noexcept { return line_; }
     [[nodiscard]] double along() const noexcept { return along_; }
@@ -128,6 +124,8 @@ private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
     [[nodiscard]] std::optional<NavigationPoint> step_aside(const NavigationQuery& query) const;
+    void begin(const NavigationPoint& goal);
+    [[nodiscard]] bool plan_down(const NavigationQuery& query, const std::optional<NavigationPoint>& beside);
     void move_goal(const NavigationQuery& query, const NavigationPoint& goal);
     void move_along(const NavigationQuery& query);
     void watch(const CharacterState& state, double dt);
@@ -147,6 +145,8 @@ private:
     dvec3 planned_goal_{0, 0, 0};
     NavigationPoint place_{};
     NavigationPath path_;
+    const NavigationField* field_ = nullptr;
+    NavigationDescendOptions descend_{};
     NavigationLine line_;
     dvec3 aim_{0, 0, 0};
     double along_ = 0;
