@@ -7,8 +7,8 @@
 namespace surefoot::playground {
 namespace {
 
-constexpr double least_side = 0.8;  // that is still cut [m]
-constexpr double bend = 0.08;       // how far the ground may be from the middle of a side that stays whole [m]
+constexpr double least_side = 0.5;  // that is still cut [m]
+constexpr double bend = 0.04;       // how far the ground may be from the middle of a side that stays whole [m]
 
 class Drape {
 public:

@@ -59,7 +59,7 @@ void NavigationOverlay::plan() {
 void NavigationOverlay::put(const dvec3& place, const view::Modifiers& held) {
     const auto on_mesh = here_->way.place_near(place);
     if (held.control) {
-        if (!on_mesh) return;
+        if (!on_mesh || here_->link_search.is_busy()) return;
         NavigationScene& scene = *here_->scene;
         const bool is_out = scene.mesh.outline(on_mesh->polygon).taken_out;
         scene.mesh.take_out({&on_mesh->polygon, 1}, !is_out);
@@ -113,6 +113,14 @@ bool NavigationOverlay::event(const view::InputEvent& event, const Eye& eye) {
     return true;
 }
 
+void NavigationOverlay::take_links() {
+    auto found = here_->link_search.take();
+    if (!found) return;
+    const auto put = put_links(*here_->scene, std::move(*found));
+    if (!put) failure_ = put.error().text;
+    plan();
+}
+
 bool NavigationOverlay::update() {
     if (!shown) return false;
     if (auto made = maker_.take()) {
@@ -128,6 +136,7 @@ bool NavigationOverlay::update() {
         }
     }
     if (!here_) return maker_.is_busy();
+    take_links();
     const auto wanted = static_cast<std::size_t>(std::lround(runners_wanted_));
     if (here_->runners.size() != wanted) here_->runners.be(wanted, start_);
     const bool runs = here_->runners.run(here_->target.feet());
@@ -137,7 +146,7 @@ bool NavigationOverlay::update() {
         round_ = std::min(round_ + std::max(last / 600, 0.25), last);
         plays_ = round_ < last;
     }
-    return runs || plays_;
+    return runs || plays_ || is_busy();
 }
 
 void NavigationOverlay::draw(view::Renderer& renderer, double waiting) {

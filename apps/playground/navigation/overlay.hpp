@@ -7,6 +7,7 @@
 #include <string>
 
 #include "playground/navigation/ground.hpp"
+#include "playground/navigation/link_search.hpp"
 #include "playground/navigation/runners.hpp"
 #include "playground/navigation/scene.hpp"
 #include "playground/navigation/target.hpp"
@@ -64,6 +65,7 @@ public:
     [[nodiscard]] const NavigationTarget* target() const { return here_ ? &here_->target : nullptr; }
     [[nodiscard]] const NavigationRunners* runners() const { return here_ ? &here_->runners : nullptr; }
     [[nodiscard]] const dvec3& start() const { return start_; }
+    [[nodiscard]] bool is_busy() const { return maker_.is_busy() || (here_ && here_->link_search.is_busy()); }
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
 private:
@@ -76,13 +78,16 @@ private:
         NavigationWay way;
         NavigationTarget target;
         NavigationRunners runners;
+        LinkSearch link_search;  // the first to go: it looks at the scene
     };
 
     void settle_in(std::unique_ptr<NavigationScene> scene);
     void plan();
+    void take_links();
     void put(const dvec3& place, const view::Modifiers& held);
     bool button(const view::ButtonPress& press, const Eye& eye);
     void look_ui();
+    void link_ui();
     void search_ui();
     void area_ui();
     void runner_ui();

@@ -1,4 +1,5 @@
 // The widgets of the navigation overlay.
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -18,7 +19,7 @@ void NavigationOverlay::ui() {
     if (!shown) return;
     if (!ground_) {
         ui::note("There is no ground here.");
-    } else if (!failure_.empty()) {
+    } else if (!here_ && !failure_.empty()) {
         ui::key_colour(view::paint::start, "There is no navigation mesh:");
         ImGui::TextWrapped("%s", failure_.c_str());
     } else if (!here_) {
@@ -29,10 +30,12 @@ void NavigationOverlay::ui() {
         const std::string took = at_once_ ? std::string() : fmt::format(", {:.2f} s", report.seconds);
         ui::note(fmt::format("{} polygons, {:.0f} m2{}", report.polygons, report.area, took));
         look_ui();
+        link_ui();
         area_ui();
         ui::note(here_->way.words());
         search_ui();
         runner_ui();
+        if (!failure_.empty()) ui::key_colour(view::paint::start, failure_);
     }
 }
 
@@ -44,17 +47,26 @@ void NavigationOverlay::look_ui() {
     };
     pair("Mesh", look.mesh, "Portals", look.portals);
     pair("Raw path", look.raw, "Pulled path", look.pulled);
+}
+
+/// They take long to find, so they are looked for when somebody wants them.
+void NavigationOverlay::link_ui() {
+    const std::vector<LinkArc>& arcs = here_->scene->arcs;
     ui::checkbox("Links", look.links);
-    if (look.links && !here_->scene->arcs.empty()) {
-        constexpr std::array<const char*, 4> kinds{"drops", "jumps", "steps up", "ladders"};
-        for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-            const auto count =
-                std::count_if(here_->scene->arcs.begin(), here_->scene->arcs.end(),
-                              [&](const LinkArc& arc) { return arc.kind == static_cast<NavigationLinkKind>(kind); });
-            if (count > 0)
-                ui::key_colour(paint::link_colour(static_cast<NavigationLinkKind>(kind)),
-                               fmt::format("{} {}", count, kinds[kind]));
-        }
+    ui::hint("Drops, jumps and steps that a simulated character was seen to do, and the way its feet went.");
+    if (here_->link_search.is_busy()) {
+        const auto share = static_cast<float>(here_->link_search.share());
+        ImGui::ProgressBar(share, {-1, 0}, fmt::format("trying links, {:.0f} %", share * 100).c_str());
+    } else if (arcs.empty()) {
+        ImGui::SameLine(ImGui::GetFontSize() * 8);
+        if (ui::button("Look for links")) here_->link_search.begin(*here_->scene, at_once_);
+    }
+    constexpr std::array<const char*, 4> kinds{"drops", "jumps", "steps up", "ladders"};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const auto kind = static_cast<NavigationLinkKind>(i);
+        const auto count =
+            std::count_if(arcs.begin(), arcs.end(), [&](const LinkArc& arc) { return arc.kind == kind; });
+        if (count > 0) ui::key_colour(paint::link_colour(kind), fmt::format("{} {}", count, kinds[i]));
     }
 }
 
@@ -70,10 +82,12 @@ void NavigationOverlay::area_ui() {
     double cost = area.cost;
     ui::key_colour(paint::area_colour(slippery_area), "slippery ground");
     ImGui::SameLine();
+    ImGui::BeginDisabled(here_->link_search.is_busy());  // which looks at the mesh
     const bool changed = ui::checkbox("Shut", shut);
     ui::hint("No way goes over it then.");
     const bool costs = ui::slider("Its cost", cost, 1, 10, "%.1f");
     ui::hint("A metre on it is as long as so many elsewhere.");
+    ImGui::EndDisabled();
     if (!changed && !costs) return;
     mesh.set_area(slippery_area, shut, cost);
     plan();

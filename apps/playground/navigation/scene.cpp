@@ -17,6 +17,8 @@ constexpr double slippery_cost = 2;
 void NavigationScene::read_outlines() {
     outlines.resize(mesh.outlines({}));
     mesh.outlines(outlines);
+    draped.clear();
+    for (const NavigationOutline& outline : outlines) draped.push_back(drape(world, mesh, outline));
 }
 
 const DrapedPolygon* NavigationScene::draped_of(NavigationPolygon polygon) const {
@@ -63,8 +65,6 @@ Expected<std::unique_ptr<NavigationScene>> make_scene(const NavigationGroundPoin
         auto scene = std::unique_ptr<NavigationScene>(
             new NavigationScene{ground, std::move(world), settings, std::move(*mesh), {}, {}, {}});
         scene->read_outlines();
-        for (const NavigationOutline& outline : scene->outlines)
-            scene->draped.push_back(drape(scene->world, scene->mesh, outline));
         for (const NavigationLink& link : scene->mesh.links())
             scene->arcs.push_back(arc_of(scene->world, settings, scene->mesh, link));
         return scene;

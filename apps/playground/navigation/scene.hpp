@@ -40,7 +40,7 @@ struct NavigationScene {
     /// Null for a link, and for a polygon that is not there.
     [[nodiscard]] const DrapedPolygon* draped_of(NavigationPolygon polygon) const;
 
-    /// Reads the outlines again, after polygons were taken out.
+    /// Reads the polygons again, after the mesh was changed.
     void read_outlines();
 };
 
