@@ -59,11 +59,13 @@ void NavigationOverlay::plan() {
 void NavigationOverlay::put(const dvec3& place, const view::Modifiers& held) {
     const auto on_mesh = here_->way.place_near(place);
     if (held.control) {
-        if (!on_mesh || here_->link_search.is_busy()) return;
         NavigationScene& scene = *here_->scene;
-        const bool is_out = scene.mesh.outline(on_mesh->polygon).taken_out;
-        scene.mesh.take_out({&on_mesh->polygon, 1}, !is_out);
+        const NavigationOutline* const there = scene.outline_at(place);
+        if (there == nullptr || here_->link_search.is_busy()) return;
+        const NavigationPolygon polygon = there->polygon;
+        scene.mesh.take_out({&polygon, 1}, !there->taken_out);
         scene.read_outlines();
+        here_->runners.look_again();
     } else if (held.shift) {
         start_ = on_mesh ? on_mesh->position : place;
     } else {
@@ -118,6 +120,7 @@ void NavigationOverlay::take_links() {
     if (!found) return;
     const auto put = put_links(*here_->scene, std::move(*found));
     if (!put) failure_ = put.error().text;
+    here_->runners.look_again();
     plan();
 }
 

@@ -90,6 +90,7 @@ void NavigationOverlay::area_ui() {
     ImGui::EndDisabled();
     if (!changed && !costs) return;
     mesh.set_area(slippery_area, shut, cost);
+    here_->runners.look_again();
     plan();
 }
 

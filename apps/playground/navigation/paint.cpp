@@ -65,14 +65,14 @@ std::vector<dvec3> lifted(const std::vector<dvec3>& line, const dvec3& by) {
 }  // namespace
 
 Colour area_colour(std::uint32_t area) {
-    constexpr std::array<Colour, 4> colours{rgb(0x20C0A8), rgb(0x4DABF7), rgb(0xE599F7), rgb(0xFFA94D)};
+    constexpr std::array<Colour, 4> colours{rgb(0x20C0A8), rgb(0xA5D8FF), rgb(0xE599F7), rgb(0xFFA94D)};
     return colours[area % colours.size()];
 }
 
 Colour link_colour(NavigationLinkKind kind) {
     switch (kind) {
         case NavigationLinkKind::drop:
-            return rgb(0x4DABF7);
+            return rgb(0x1C7ED6);
         case NavigationLinkKind::jump:
             return rgb(0xFF922B);
         case NavigationLinkKind::step_up:

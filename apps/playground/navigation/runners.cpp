@@ -32,6 +32,10 @@ void NavigationRunners::scatter(const dvec3& start) {
     be(count, start);
 }
 
+void NavigationRunners::look_again() {
+    for (std::size_t i = 0; i < states_.size(); ++i) crowd_.stop(i);
+}
+
 bool NavigationRunners::run(const dvec3& goal) {
     before_ = states_;
     for (std::size_t i = 0; i < states_.size(); ++i) crowd_.go(worker_.query(), i, goal);

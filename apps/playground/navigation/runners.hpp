@@ -28,6 +28,9 @@ public:
     /// Puts all of them somewhere else.
     void scatter(const dvec3& start);
 
+    /// The mesh has changed: everybody looks for a way anew, those who gave up, too.
+    void look_again();
+
     /// A tick towards a place of feet; true while anybody moves.
     bool run(const dvec3& goal);
 

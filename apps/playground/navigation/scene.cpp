@@ -1,6 +1,8 @@
 #include "playground/navigation/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <new>
 
 #include <surefoot/character.hpp>
@@ -25,6 +27,24 @@ const DrapedPolygon* NavigationScene::draped_of(NavigationPolygon polygon) const
     const auto found = std::find_if(outlines.begin(), outlines.end(),
                                     [&](const NavigationOutline& outline) { return outline.polygon == polygon; });
     return found == outlines.end() ? nullptr : &draped[static_cast<std::size_t>(found - outlines.begin())];
+}
+
+const NavigationOutline* NavigationScene::outline_at(const dvec3& place) const {
+    const NavigationOutline* best = nullptr;
+    double least = mesh.agent().height;
+    for (const NavigationOutline& outline : outlines) {
+        bool is_inside = outline.corners > 0;
+        for (std::uint32_t i = 0; i < outline.corners && is_inside; ++i) {
+            const dvec3 side = outline.corner[(i + 1) % outline.corners] - outline.corner[i];
+            is_inside = glm::dot(glm::cross(side, place - outline.corner[i]), up()) >= 0;
+        }
+        if (!is_inside) continue;
+        const double off = std::abs(glm::dot(outline.corner[0] - place, up()));
+        if (off >= least) continue;
+        least = off;
+        best = &outline;
+    }
+    return best;
 }
 
 LinkArc arc_of(const World& world, const CharacterSettings& settings, const NavigationMesh& mesh,

@@ -40,6 +40,9 @@ struct NavigationScene {
     /// Null for a link, and for a polygon that is not there.
     [[nodiscard]] const DrapedPolygon* draped_of(NavigationPolygon polygon) const;
 
+    /// The polygon at a place of its ground, one that was taken out among them: queries do not know those.
+    [[nodiscard]] const NavigationOutline* outline_at(const dvec3& place) const;
+
     /// Reads the polygons again, after the mesh was changed.
     void read_outlines();
 };
