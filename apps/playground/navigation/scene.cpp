@@ -20,13 +20,16 @@ void NavigationScene::read_outlines() {
     outlines.resize(mesh.outlines({}));
     mesh.outlines(outlines);
     draped.clear();
-    for (const NavigationOutline& outline : outlines) draped.push_back(drape(world, mesh, outline));
+    places.clear();
+    for (const NavigationOutline& outline : outlines) {
+        places.emplace(outline.polygon.id, draped.size());
+        draped.push_back(drape(world, mesh, outline));
+    }
 }
 
 const DrapedPolygon* NavigationScene::draped_of(NavigationPolygon polygon) const {
-    const auto found = std::find_if(outlines.begin(), outlines.end(),
-                                    [&](const NavigationOutline& outline) { return outline.polygon == polygon; });
-    return found == outlines.end() ? nullptr : &draped[static_cast<std::size_t>(found - outlines.begin())];
+    const auto found = places.find(polygon.id);
+    return found == places.end() ? nullptr : &draped[found->second];
 }
 
 const NavigationOutline* NavigationScene::outline_at(const dvec3& place) const {
@@ -83,7 +86,7 @@ Expected<std::unique_ptr<NavigationScene>> make_scene(const NavigationGroundPoin
                                           {.areas = areas, .surface_areas = surface_areas, .progress = progress});
         if (!mesh) return tl::unexpected(mesh.error());
         auto scene = std::unique_ptr<NavigationScene>(
-            new NavigationScene{ground, std::move(world), settings, std::move(*mesh), {}, {}, {}});
+            new NavigationScene{ground, std::move(world), settings, std::move(*mesh), {}, {}, {}, {}});
         scene->read_outlines();
         for (const NavigationLink& link : scene->mesh.links())
             scene->arcs.push_back(arc_of(scene->world, settings, scene->mesh, link));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <surefoot/error.hpp>
@@ -29,8 +30,9 @@ struct NavigationScene {
     CharacterSettings settings;  ///< with the rules of `ground`
     NavigationMesh mesh;
     std::vector<NavigationOutline> outlines;
-    std::vector<LinkArc> arcs;            ///< by the number of the link
-    std::vector<DrapedPolygon> draped{};  ///< by the place in `outlines`
+    std::vector<LinkArc> arcs;                                ///< by the number of the link
+    std::vector<DrapedPolygon> draped{};                      ///< by the place in `outlines`
+    std::unordered_map<std::uint32_t, std::size_t> places{};  ///< in `outlines`, by the polygon's id
 
     [[nodiscard]] const dvec3& up() const { return mesh.up(); }
 
