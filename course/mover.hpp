@@ -52,8 +52,8 @@ struct MoverName {
 [[nodiscard]] std::unique_ptr<Mover> make_mover(std::string_view name);
 
 /// A program of somebody's that speaks the line protocol (docs/course-protocol.md), started by the shell.
-/// Throws `MoverFailure` when it does not start.
-[[nodiscard]] std::unique_ptr<Mover> make_external_mover(const std::string& command);
+/// It is waited for that long before each answer [s]. Throws `MoverFailure` when it does not start.
+[[nodiscard]] std::unique_ptr<Mover> make_external_mover(const std::string& command, double patience = 60);
 
 /// What is missing and how to get it; empty if nothing is.
 [[nodiscard]] std::string_view bullet_missing();

@@ -39,6 +39,7 @@ double processing() {
 }
 
 constexpr view::KeyHelp house_keys[] = {{"F1", "shows this"},
+                                        {"F2", "the navigation mesh of the room's ground, and ways over it"},
                                         {"F11", "full screen and back"},
                                         {"Escape", "closes what is open, then goes back to the start"},
                                         {"Drop a file", "opens it as a level"}};
@@ -70,6 +71,9 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
     app->renderer_ = std::make_unique<view::Renderer>();
     app->imgui_ = std::make_unique<view::ImGuiAdapter>(*app->display_);
     app->levels_ = std::make_unique<LevelLoader>(options.headless);
+    app->navigation_.emplace(options.headless);
+    app->navigation_->shown = options.navigation;
+    app->navigation_->begin_at(options.from, options.to);
     const std::string preset = !options.preset.empty()                       ? options.preset
                                : !app->settings_.preset.empty()              ? app->settings_.preset
                                : view::gl_is_software() && !options.headless ? "software"
@@ -79,7 +83,8 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
         app->toasts_.say(std::string(view::gl_is_software() ? "No graphics card was found: shadows" : "Shadows") +
                          ", smoothing and thin edges are off. --preset full turns them on.");
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
-                              app->chooser_, *app->levels_, options.headless, options.level});
+                              app->chooser_, *app->levels_, *app->navigation_, options.headless, options.level,
+                              options.scene, options.ghost_command});
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.room);
     return app;
@@ -150,6 +155,7 @@ bool App::frame() {
         change_room_ = false;
         if (room_) room_->leave();
         room_.reset();
+        navigation_->set_ground(nullptr);
         stage_->forget_pending();  // what still comes would call into a room that is gone
         const RoomCard* const card = find_room(wanted_room_);
         room_id_ = card != nullptr ? std::string(card->id) : std::string();
@@ -228,6 +234,7 @@ void App::house_event(const view::InputEvent& event) {
     }
     if (imgui_->event(event)) return;
     if (help_ || stage_->has_dialog()) return;
+    if (navigation_->event(event, {room_->camera(), display_->size()})) return;
     if (room_->event(event)) return;
     if (view::is_press(event, view::Key::escape) && !room_id_.empty()) go_to({});
 }
@@ -238,6 +245,8 @@ void App::update(double dt) {
     // A hair less than a tick: a display of 60 Hz must not fall back to every other frame by rounding.
     while (behind_ >= tick * 0.98) {
         moves = room_->update(tick) || moves;
+        navigation_->set_ground(room_->ground());
+        moves = navigation_->update() || moves;
         moves = toasts_.update(tick) || moves;
         behind_ = std::max(behind_ - tick, 0.0);
     }
@@ -250,6 +259,7 @@ void App::draw() {
     imgui_->begin_frame(tick);
     renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size(), display_->scale()});
     room_->draw(*renderer_);
+    navigation_->draw(*renderer_, behind_);
     view::draw_labels(renderer_->view(), renderer_->labels(),
                       [this](const dvec3& place) { return room_->hides(place); });
     room_->ui();

@@ -73,6 +73,7 @@ private:
     view::FileBrowser browser_;
     view::Chooser chooser_;
     std::unique_ptr<LevelLoader> levels_;
+    std::optional<NavigationOverlay> navigation_;
     std::optional<Stage> stage_;
     std::unique_ptr<Room> room_;
     std::string room_id_;

@@ -1,10 +1,14 @@
 #include "playground/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
 #include <fmt/format.h>
+#include <tuple>
 
 #include <surefoot/version.hpp>
 
+#include "course/catalogue.hpp"
 #include "playground/room.hpp"
 
 namespace surefoot::playground {
@@ -15,6 +19,7 @@ Examples:
   surefoot-playground
   surefoot-playground --room walk --level castle.obj
   surefoot-playground --room walk --level levels/training-ground.glb --headless --frames 30 --screenshot out.png
+  surefoot-playground --room course --scene stairs-up --ghost-exec 'node my-mover.mjs'
   surefoot-playground --headless --script tour.txt --size 1280x720 --preset software
 
 Without --room it begins on the start screen. F1 shows the keys. docs/playground.md tells how scripts are written.
@@ -30,6 +35,14 @@ std::optional<view::ivec2> parse_size(const std::string& text) {
     return view::ivec2(width, height);
 }
 
+std::optional<glm::dvec3> parse_place(const std::string& text) {
+    glm::dvec3 place{0, 0, 0};
+    char end = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &place.x, &place.y, &place.z, &end) != 3) return std::nullopt;
+    const bool is_finite = std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
+    return is_finite ? std::optional(place) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ExitCode> read_options(int argc, const char* const* argv, Options& options) {
@@ -41,8 +54,28 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
     std::vector<std::string> ids;
     for (const RoomCard& card : rooms()) ids.emplace_back(card.id);
     std::string size;
+    std::string from;
+    std::string to;
     program.add_option("--room", options.room, "Enter this room at once")->check(CLI::IsMember(ids));
     program.add_option("--level", options.level, "The level: .surefoot, or any file that `surefoot cook` reads");
+    program.add_option("--scene", options.scene, "Of the course, for --room course")
+        ->check([](const std::string& name) {
+            std::string all;
+            for (const course::Scene& scene : course::all_scenes()) {
+                if (scene.name == name) return std::string();
+                all += (all.empty() ? "" : ", ") + scene.name;
+            }
+            return "there is no scene " + name + ": " + all;
+        })
+        ->type_name("NAME");
+    program
+        .add_option(
+            "--ghost-exec", options.ghost_command,
+            "For --room course: a program, started by the shell, that walks beside ours (docs/course-protocol.md)")
+        ->type_name("PROGRAM");
+    program.add_flag("--navigation", options.navigation, "Show the navigation mesh of the room's ground (F2)");
+    program.add_option("--from", from, "Where its way begins, at the feet")->type_name("X,Y,Z");
+    program.add_option("--to", to, "Where it ends, at the feet")->type_name("X,Y,Z");
     program.add_flag("--headless", options.headless,
                      "Draw without a display; time goes by frames, so every run is alike");
     program.add_option("--script", options.scripts,
@@ -79,6 +112,15 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
             fmt::print(stderr, "surefoot-playground: --size {}: write it as 1280x720, 64 to 16384 each\n", size);
             return ExitCode::usage;
         }
+    }
+    for (const auto& [name, text, place] :
+         {std::tuple{"--from", &from, &options.from}, std::tuple{"--to", &to, &options.to}}) {
+        if (text->empty()) continue;
+        *place = parse_place(*text);
+        options.navigation = true;
+        if (*place) continue;
+        fmt::print(stderr, "surefoot-playground: {} {}: write it as 1.5,0,-20\n", name, *text);
+        return ExitCode::usage;
     }
     if (options.headless && !options.frames && options.scripts.empty()) options.frames = 60;
     return std::nullopt;

@@ -1,6 +1,7 @@
 /// The command line of the playground.
 #pragma once
 
+#include <glm/ext/vector_double3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ enum class ExitCode : int {
 struct Options {
     std::string room;
     std::string level;
+    std::string scene;               ///< of the course
+    std::string ghost_command;       ///< a program that walks it
+    bool navigation = false;         ///< the overlay is shown
+    std::optional<glm::dvec3> from;  ///< where its way begins [m]
+    std::optional<glm::dvec3> to;    ///< and ends
     bool headless = false;
     std::vector<std::string> scripts;  ///< played one after the other
     std::optional<int> frames;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "playground/level_loader.hpp"
+#include "playground/navigation/overlay.hpp"
 #include "view/camera.hpp"
 #include "view/chooser.hpp"
 #include "view/display.hpp"
@@ -29,9 +30,12 @@ struct Stage {
     view::FileBrowser& browser;
     view::Chooser& chooser;
     LevelLoader& levels;
-    bool headless = false;  ///< no user is there: nothing of the machine's but what was asked for
-    std::string level{};    ///< from the command line; empty if none was named
-    double waiting = 0;     ///< time that has passed since the room's last tick [s, less than a tick]
+    NavigationOverlay& navigation;  ///< a room with ground gives its `ui` a place in a panel
+    bool headless = false;          ///< no user is there: nothing of the machine's but what was asked for
+    std::string level{};            ///< from the command line; empty if none was named
+    std::string scene{};            ///< of the course, likewise
+    std::string ghost_command{};    ///< a program that walks it beside ours, likewise
+    double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 
     // What these call back belongs to the room that is open: once that is left, `done` is never called.
 
@@ -78,6 +82,10 @@ public:
 
     /// Is there something between the eye and this place? Labels there are drawn faintly.
     [[nodiscard]] virtual bool hides(const dvec3& /*place*/) const { return false; }
+
+    /// What one walks on here, for the navigation overlay; null for nothing. Asked every tick: to be kept, not made
+    /// anew.
+    [[nodiscard]] virtual NavigationGroundPointer ground() const { return nullptr; }
 
     /// The keys that are the room's own.
     [[nodiscard]] virtual std::span<const view::KeyHelp> help() const { return {}; }

@@ -1,8 +1,11 @@
+#include <string>
+
 #include "course/mover.hpp"
 #include "course/protocol.hpp"
 
 #if __has_include(<sys/socket.h>)
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <poll.h>
@@ -17,12 +20,10 @@ namespace surefoot::course {
 
 namespace {
 
-constexpr int patience_ms = 60'000;
-
 // A program at the other end of a socket, which is both its standard input and its standard output.
 class Program {
 public:
-    explicit Program(const std::string& command) {
+    Program(const std::string& command, double patience) : patience_(patience) {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) throw MoverFailure{std::strerror(errno)};
         pid_ = fork();
@@ -46,6 +47,7 @@ public:
 
     ~Program() {
         close(socket_);
+        if (pid_ < 0) return;
         // The end of its input tells it to end. One that does not listen is ended.
         for (int i = 0; i < 50; ++i) {
             if (waitpid(pid_, nullptr, WNOHANG) == pid_) return;
@@ -59,7 +61,7 @@ public:
         while (!text.empty()) {
             const ssize_t sent = send(socket_, text.data(), text.size(), MSG_NOSIGNAL);
             if (sent < 0 && errno == EINTR) continue;
-            if (sent <= 0) throw MoverFailure{"the program has ended"};
+            if (sent <= 0) throw MoverFailure{how_it_ended()};
             text.remove_prefix(static_cast<std::size_t>(sent));
         }
     }
@@ -74,16 +76,38 @@ public:
                 return line;
             }
             pollfd waiting{socket_, POLLIN, 0};
-            if (poll(&waiting, 1, patience_ms) == 0) throw MoverFailure{"the program has not answered for a minute"};
+            const int answers = poll(&waiting, 1, static_cast<int>(patience_ * 1000));
+            if (answers < 0 && errno == EINTR) continue;
+            if (answers == 0)
+                throw MoverFailure{"the program has not answered for " + std::to_string(std::lround(patience_)) +
+                                   " seconds"};
             char room[4096];
             const ssize_t got = recv(socket_, room, sizeof room, 0);
             if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) throw MoverFailure{"the program has ended"};
+            if (got <= 0) throw MoverFailure{how_it_ended()};
             unread_.append(room, static_cast<std::size_t>(got));
         }
     }
 
 private:
+    /// For whoever finds the other end gone. A moment later the shell tells what has become of it.
+    std::string how_it_ended() {
+        std::string text = "the program has ended";
+        int status = 0;
+        pid_t ended = 0;
+        for (int i = 0; i < 25 && ended == 0; ++i) {
+            ended = waitpid(pid_, &status, WNOHANG);
+            if (ended == 0) poll(nullptr, 0, 20);
+        }
+        if (ended != pid_) return text;
+        pid_ = -1;
+        if (WIFSIGNALED(status)) return text + ": by signal " + std::to_string(WTERMSIG(status));
+        const int code = WEXITSTATUS(status);
+        if (code == 126 || code == 127) return text + ": the shell could not start it";
+        return code == 0 ? text : text + ", with exit code " + std::to_string(code);
+    }
+
+    double patience_;
     pid_t pid_ = -1;
     int socket_ = -1;
     std::string unread_;
@@ -91,7 +115,7 @@ private:
 
 class External final : public Mover {
 public:
-    explicit External(const std::string& command) : program_(command) {
+    External(const std::string& command, double patience) : program_(command, patience) {
         program_.write(std::string(protocol::greeting) + "\n");
         expect(protocol::greeting);
     }
@@ -123,13 +147,13 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Mover> make_external_mover(const std::string& command) {
-    return std::make_unique<External>(command);
+std::unique_ptr<Mover> make_external_mover(const std::string& command, double patience) {
+    return std::make_unique<External>(command, patience);
 }
 
 #else
 
-std::unique_ptr<Mover> make_external_mover(const std::string& /*command*/) {
+std::unique_ptr<Mover> make_external_mover(const std::string& /*command*/, double /*patience*/) {
     throw MoverFailure{"programs can be started on POSIX systems only"};
 }
 

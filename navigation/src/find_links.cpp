@@ -65,9 +65,10 @@ std::vector<Found> find_all(const LinkGround& ground, const std::vector<LinkProp
     std::atomic<std::size_t> next = 0;
     std::mutex telling;
     std::size_t done = 0;
+    const std::atomic<bool>* const stop = ground.options.stop;
     const auto work = [&] {
         Finder finder(ground);
-        for (std::size_t i = next++; i < found.size(); i = next++) {
+        for (std::size_t i = next++; i < found.size() && (stop == nullptr || !*stop); i = next++) {
             found[i] = i < places ? finder.from(ground.places[i]) : finder.proven({ladders[i - places]});
             const std::lock_guard lock(telling);
             ground.options.progress(++done, found.size());
@@ -135,6 +136,7 @@ std::vector<NavigationLink> find_links(const World& world, const CharacterSettin
             }
             all.ticks += found.report.ticks;
         }
+        if (options.stop != nullptr && *options.stop) done.clear();
         links = thinned(std::move(done), options.spacing);
         for (const NavigationLink& link : links) ++all.kept[static_cast<std::size_t>(link.kind)];
     }

@@ -7,16 +7,17 @@
 namespace surefoot::playground {
 namespace {
 
-constexpr const char* our_name = "ours";
+/// A window stands still while a program is waited for, so that is not long [s].
+constexpr double patience = 5;
 
-Racer walk(const std::string& name, const course::Run& run) {
-    Racer racer{name, {}};
-    if (const auto mover = course::make_mover(name)) {
-        racer.outing = course::walk_run(run, *mover);
-    } else {
+Racer walk(const Rival& who, const course::Run& run) {
+    Racer racer{who.name(), {}};
+    try {
+        racer.outing = course::walk_run(run, *who.make());
+    } catch (const course::MoverFailure& failure) {
         racer.outing.run = &run;
         racer.outing.spots.push_back({.time = 0, .position = run.start, .grounded = false, .input = {}});
-        racer.outing.failure = "this build has no such mover";
+        racer.outing.failure = failure.text;
     }
     return racer;
 }
@@ -31,6 +32,13 @@ std::size_t place_at(const course::Outing& outing, double time) {
 
 }  // namespace
 
+std::unique_ptr<course::Mover> Rival::make() const {
+    if (!command.empty()) return course::make_external_mover(command, patience);
+    auto made = course::make_mover(mover);
+    if (!made) throw course::MoverFailure{"this build has no such mover"};
+    return made;
+}
+
 const course::Spot& Racer::spot_at(double time) const {
     return outing.spots[place_at(outing, time)];
 }
@@ -43,8 +51,8 @@ dvec3 Racer::position_at(double time) const {
     return spot.position + (outing.spots[i + 1].position - spot.position) * share;
 }
 
-Race::Race(const course::Run& run, const std::string& other) : run_(&run), ours_(walk(our_name, run)) {
-    if (!other.empty()) other_ = walk(other, run);
+Race::Race(const course::Run& run, const Rival& other) : run_(&run), ours_(walk({.mover = "ours"}, run)) {
+    if (!other.is_nobody()) other_ = walk(other, run);
 }
 
 double Race::begin() const {
@@ -60,10 +68,13 @@ double Race::gap_at(double time) const {
     return other_ ? glm::length(other_->position_at(time) - ours_.position_at(time)) : 0;
 }
 
-Measuring::Measuring(const course::Scene& scene, const std::string& mover)
-    : scene_(&scene), name_(mover), mover_(course::make_mover(mover)) {
+Measuring::Measuring(const course::Scene& scene, const Rival& who) : scene_(&scene), name_(who.name()) {
     score_.scene = &scene;
-    if (!mover_) score_.failure = "this build has no such mover";
+    try {
+        mover_ = who.make();
+    } catch (const course::MoverFailure& failure) {
+        score_.failure = failure.text;
+    }
 }
 
 bool Measuring::go_on() {

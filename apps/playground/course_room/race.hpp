@@ -12,9 +12,24 @@
 
 namespace surefoot::playground {
 
+/// Who walks beside ours: a mover of this build, or a program that speaks the line protocol
+/// (docs/course-protocol.md), or nobody.
+struct Rival {
+    std::string mover{};
+    std::string command{};  ///< of the program, for the shell; the mover does not count then
+
+    [[nodiscard]] bool is_nobody() const { return mover.empty() && command.empty(); }
+
+    /// Whoever it is; a program is called "the program". Throws `course::MoverFailure` if it cannot be had.
+    [[nodiscard]] std::string name() const { return command.empty() ? mover : "the program"; }
+    [[nodiscard]] std::unique_ptr<course::Mover> make() const;
+
+    friend bool operator==(const Rival&, const Rival&) = default;
+};
+
 /// One who walks.
 struct Racer {
-    std::string name;  ///< of a mover of the course
+    std::string name;
     course::Outing outing;
 
     /// Where the body is at a time, between two ticks. Requires: an outing with a spot.
@@ -26,8 +41,8 @@ struct Racer {
 
 class Race {
 public:
-    /// Lets ours walk and, if `other` names a mover, that one too. `run` outlives the race.
-    Race(const course::Run& run, const std::string& other);
+    /// Lets ours walk and, if it is anybody, the other too. `run` outlives the race.
+    Race(const course::Run& run, const Rival& other);
 
     [[nodiscard]] const course::Run& run() const { return *run_; }
     [[nodiscard]] const Racer& ours() const { return ours_; }
@@ -49,7 +64,7 @@ private:
 /// All runs of a scene, one after the other, so that a window stays alive meanwhile.
 class Measuring {
 public:
-    Measuring(const course::Scene& scene, const std::string& mover);
+    Measuring(const course::Scene& scene, const Rival& who);
 
     /// Walks the next run; true while there are more.
     bool go_on();

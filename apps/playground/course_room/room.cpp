@@ -32,6 +32,10 @@ public:
     void enter(Stage& stage) override {
         stage_ = &stage;
         scenes_ = course::all_scenes();
+        for (std::size_t i = 0; i < scenes_.size(); ++i)
+            if (scenes_[i].name == stage.scene) choice_.scene = i;
+        choice_.other = {.command = stage.ghost_command};
+        panel_.type_command(stage.ghost_command);
         choose();
     }
 
@@ -68,6 +72,7 @@ public:
     void draw(view::Renderer& renderer) override;
     void ui() override;
     [[nodiscard]] std::span<const view::KeyHelp> help() const override { return keys; }
+    [[nodiscard]] NavigationGroundPointer ground() const override { return ground_; }
 
 private:
     [[nodiscard]] double shown_time() const {
@@ -80,13 +85,19 @@ private:
 
     void choose() {
         race_.emplace(scenes_[choice_.scene].runs[choice_.run], choice_.other);
+        panel_.tell_failure(race_->other() ? race_->other()->outing.failure : std::string());
+        auto ground = std::make_shared<NavigationGround>();
+        ground->settings = race_->run().settings;
+        ground->start = race_->run().start;
         models_.clear();
         for (const course::LevelBody& body : race_->run().level->bodies) {
             const auto mesh = Mesh::build({.vertices = body.triangles.vertices, .indices = body.triangles.indices});
             if (!mesh) throw std::runtime_error(mesh.error().text);
+            if (!body.path) ground->pieces.push_back({*mesh, body.pose});
             const view::Colour colour = body.path ? view::rgb(0xC9A26B) : view::rgb(0xB9BEC2);
             models_.push_back(view::Model::make(*mesh, [colour](const SourceTriangle&) { return colour; }));
         }
+        ground_ = std::move(ground);
         start();
         orbit_.jump_to({.pivot = race_->ours().position_at(time_),
                         .yaw = yaw_behind() + 0.65,
@@ -153,6 +164,7 @@ private:
     CourseChoice choice_;
     std::optional<Race> race_;
     std::vector<std::shared_ptr<view::Model>> models_;
+    NavigationGroundPointer ground_;
     ScenePanel panel_;
     view::OrbitCamera orbit_;
     double time_ = 0;
@@ -213,7 +225,8 @@ void CourseRoom::time_bar(double left) {
                                                        : "in the air");
         if (race_->other()) {
             text += fmt::format("; {} is {:.3f} m away", race_->other()->name, race_->gap_at(time_));
-            if (!race_->other()->outing.failure.empty()) text += ", and gave up: " + race_->other()->outing.failure;
+            if (!race_->other()->outing.failure.empty())
+                text += fmt::format(", and gave up at {:.2f} s", race_->other()->outing.last().time);
         }
         ui::key_colour(view::paint::hit, text);
         if (ui::button(runs_ ? "Pause##run" : "Run##run")) toggle();
@@ -238,8 +251,11 @@ void CourseRoom::time_bar(double left) {
 void CourseRoom::ui() {
     namespace ui = view::ui;
     constexpr double width = 330;
-    if (ui::begin("Course", {.width = width}))
+    if (ui::begin("Course", {.width = width})) {
+        stage_->navigation.ui();
+        ImGui::Separator();
         if (panel_.ui(scenes_, choice_)) choose();
+    }
     ui::end();
     time_bar((width + 2 * 14) * stage_->display.scale());
 }

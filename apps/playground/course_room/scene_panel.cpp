@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "view/widgets.hpp"
 
@@ -70,27 +71,44 @@ bool ScenePanel::ui(const course::Scenes& scenes, CourseChoice& choice) {
         "One run", now.runs.size(), choice.run, [&](std::size_t i) { return now.runs[i].name; },
         [](std::size_t) { return std::string(); });
     if (run >= 0) choice.run = static_cast<std::size_t>(run);
-    std::size_t ghost = 0;
-    for (std::size_t i = 0; i < ghosts().size(); ++i)
-        if (ghosts()[i].name == choice.other) ghost = i;
-    ImGui::TextUnformatted("Beside the ghost of");
-    const int other = list(
-        "Ghost", ghosts().size(), ghost, [](std::size_t i) { return std::string(ghosts()[i].name); },
-        [](std::size_t i) { return std::string(ghosts()[i].about); });
-    if (other >= 0)
-        choice.other = other == 0 ? std::string() : std::string(ghosts()[static_cast<std::size_t>(other)].name);
-    ui::note(ghosts()[ghost].about);
+    ghost(choice);
     if (choice.scene != before.scene || choice.other != before.other) forget_measures();
     ImGui::Separator();
     bars(scenes[choice.scene], choice);
     return !(choice == before);
 }
 
+void ScenePanel::ghost(CourseChoice& choice) {
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < ghosts().size(); ++i)
+        if (ghosts()[i].name == choice.other.mover) chosen = i;
+    const bool is_program = !choice.other.command.empty();
+    ImGui::TextUnformatted("Beside the ghost of");
+    const int other = list(
+        "Ghost", ghosts().size(), chosen,
+        [&](std::size_t i) { return i == chosen && is_program ? "a program" : std::string(ghosts()[i].name); },
+        [](std::size_t i) { return std::string(ghosts()[i].about); });
+    if (other >= 0)
+        choice.other = {.mover = other == 0 ? "" : std::string(ghosts()[static_cast<std::size_t>(other)].name)};
+    ui::note(is_program ? choice.other.command : std::string(ghosts()[chosen].about));
+    ImGui::SetNextItemWidth(-1);
+    bool take = ImGui::InputTextWithHint("##program", "or a program: node my-mover.mjs", &command_,
+                                         ImGuiInputTextFlags_EnterReturnsTrue);
+    ui::item("Program");
+    ui::hint("Started by the shell; it reads and writes the lines of docs/course-protocol.md.");
+    take = ui::button("Walk the program") || take;
+    if (take && !command_.empty()) choice.other = {.command = command_};
+    if (!failure_.empty()) {
+        ui::key_colour(view::paint::start, choice.other.name() + " gave up:");
+        ImGui::TextWrapped("%s", failure_.c_str());
+    }
+}
+
 void ScenePanel::bars(const course::Scene& scene, const CourseChoice& choice) {
     if (ui::button("Measure all runs")) {
         measured_.clear();
-        measured_.emplace_back(scene, "ours");
-        if (!choice.other.empty()) measured_.emplace_back(scene, choice.other);
+        measured_.emplace_back(scene, Rival{.mover = "ours"});
+        if (!choice.other.is_nobody()) measured_.emplace_back(scene, choice.other);
     }
     ui::hint("Walks every run of this scene with both, and holds the worst of all against each bar.");
     for (const Measuring& one : measured_)

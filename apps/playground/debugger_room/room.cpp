@@ -42,6 +42,7 @@ public:
     void ui() override;
     [[nodiscard]] bool hides(const dvec3& place) const override;
     [[nodiscard]] std::span<const view::KeyHelp> help() const override { return room_keys; }
+    [[nodiscard]] NavigationGroundPointer ground() const override { return has_lesson() ? nullptr : ground_; }
 
 private:
     [[nodiscard]] bool has_lesson() const { return bar_.open() != nullptr && bar_.open()->has_own_scene(); }
@@ -57,6 +58,7 @@ private:
     bool key(const view::KeyPress& press);
     [[nodiscard]] Hands::Eye eye() const { return {camera(), stage_->display.size()}; }
     void show(const debugger::SavedStep& step);
+    void take_ground();
     void panel_opened();
     void question_window();
     [[nodiscard]] Inquiry& inquiry();
@@ -76,6 +78,8 @@ private:
     bool shows_more_ = false;      // the open panel, than the question
     bool folds_question_ = false;  // for want of room
     bool question_folded_ = false;
+    NavigationGroundPointer ground_;  // null for a world that is no level
+    std::uint64_t ground_version_ = 0;
     Hands hands_{asked_};
     bool runs_ = false;
     bool panels_hidden_ = false;
@@ -290,6 +294,7 @@ bool Debugger::update(double dt) {
     hands_.follow();
     if (told_ != asked_.version()) {
         told_ = asked_.version();
+        take_ground();
         hands_.look_away();
         bar_.changed(inquiry());
     }
@@ -300,6 +305,18 @@ bool Debugger::update(double dt) {
     const bool moves = bar_.open() != nullptr && bar_.open()->update(dt, inquiry());
     keep_framed();
     return orbit_.update(dt) || moves || runs_;
+}
+
+/// A level is walked on by a character as it is by default; its way begins below START.
+void Debugger::take_ground() {
+    const bool is_level = asked_.mesh() && asked_.question().world == debugger::WorldKind::level;
+    if (!is_level) ground_.reset();
+    if (!is_level || (ground_ && ground_version_ == asked_.world_version())) return;
+    auto ground = std::make_shared<NavigationGround>();
+    ground->pieces.push_back({*asked_.mesh()});
+    ground->start = asked_.question().motion.from;
+    ground_version_ = asked_.world_version();
+    ground_ = std::move(ground);
 }
 
 /// Until a hand moves the camera: in what the panels leave free, and all of what the open one shows, which may be
@@ -363,6 +380,7 @@ void Debugger::question_window() {
         ImGui::Separator();
         if (ui::section("Answer")) answer_panel_->ui(asked_, stage_->display, stage_->toasts);
         look_ui(scene_.look);
+        if (ground_) stage_->navigation.ui();
     }
     ui::end();
 }

@@ -34,6 +34,11 @@ public:
     /// Lets go of all keys and of the pointer: somebody else is listened to from now on.
     void release();
 
+    [[nodiscard]] const Walker& walker() const { return walker_; }
+
+    /// Where one begins.
+    [[nodiscard]] const dvec3& start() const { return stations_.front().place; }
+
     /// Are panels to be seen?
     [[nodiscard]] bool shows_panels() const { return shows_panels_; }
 

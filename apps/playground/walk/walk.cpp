@@ -11,6 +11,7 @@
 #include "playground/walk/findings.hpp"
 #include "playground/walk/level_look.hpp"
 #include "playground/walk/on_foot.hpp"
+#include "playground/walk/settings_panel.hpp"
 #include "playground/walk/tape.hpp"
 #include "playground/walk/thrower.hpp"
 #include "view/fly_camera.hpp"
@@ -71,6 +72,7 @@ public:
         const dvec3 eye = camera().eye;
         return mesh().ray_any({eye, eye + (place - eye) * 0.995});
     }
+    [[nodiscard]] NavigationGroundPointer ground() const override { return ground_; }
     [[nodiscard]] std::span<const view::KeyHelp> help() const override {
         return seat_ == Seat::foot ? OnFoot::help() : keys;
     }
@@ -82,6 +84,7 @@ private:
         stage_->open_level(path, [this](const LevelLoader::Loaded& loaded) { show(loaded); });
     }
     void show(const LevelLoader::Loaded& loaded);
+    void take_ground();
     void click(const dvec2& at);
     bool key(const view::KeyPress& press);
     void sit(Seat seat);
@@ -102,6 +105,8 @@ private:
     view::OrbitCamera orbit_;
     view::FlyCamera fly_;
     std::unique_ptr<OnFoot> on_foot_;  // null for a level where nobody can stand
+    NavigationGroundPointer ground_;
+    std::uint64_t changes_ = 0;  // of settings, that the ground knows
     Seat seat_ = Seat::orbit;
     Tool tool_ = Tool::look;
     std::optional<dvec2> pressed_at_;  // a left press that may become a click
@@ -126,6 +131,18 @@ void Walk::show(const LevelLoader::Loaded& loaded) {
     on_foot_ = std::make_unique<OnFoot>(*stage_, level_);
     if (!on_foot_->has_place()) on_foot_.reset();
     seat_ = on_foot_ ? Seat::foot : Seat::orbit;
+    take_ground();
+}
+
+/// Who walks on it is the character, or one that cannot find a place.
+void Walk::take_ground() {
+    auto ground = std::make_shared<NavigationGround>();
+    ground->pieces.push_back({mesh()});
+    ground->settings = on_foot_ ? on_foot_->walker().settings() : room_settings();
+    ground->rules = on_foot_ ? on_foot_->walker().surfaces() : rules_of(level_->level);
+    ground->start = on_foot_ ? on_foot_->start() : (mesh().bounds().min + mesh().bounds().max) * 0.5;
+    changes_ = on_foot_ ? on_foot_->walker().changes() : 0;
+    ground_ = std::move(ground);
 }
 
 bool Walk::key(const view::KeyPress& press) {
@@ -211,7 +228,7 @@ bool Walk::event(const view::InputEvent& event) {
 }
 
 void Walk::click(const dvec2& at) {
-    if (!level_) return;
+    if (!level_ || stage_->navigation.takes_clicks()) return;
     const view::Camera seen = camera();
     const auto hit = view::pick(mesh(), seen, at, stage_->display.size());
     switch (tool_) {
@@ -262,6 +279,7 @@ void Walk::go_to_place(const dvec3& place) {
 
 bool Walk::update(double dt) {
     if (const auto news = fetcher_.update()) stage_->toasts.say(*news);
+    if (on_foot_ && on_foot_->walker().changes() != changes_) take_ground();
     const bool thrown = thrower_.update(dt);
     const bool moved = seat_ == Seat::foot  ? on_foot_->update(dt)
                        : seat_ == Seat::fly ? fly_.update(dt)
@@ -334,6 +352,8 @@ void Walk::level_panel() {
             ui::note("Fetching OpenArena's maps ...");
         }
         if (level_) {
+            ImGui::Separator();
+            stage_->navigation.ui();
             ImGui::Separator();
             look_->ui();
             if (ui::section("Odd spots"))

@@ -89,6 +89,7 @@ void Walker::change(const CharacterSettings& settings) {
     settings_ = settings;
     settings_.surfaces = {};
     is_changed_ = true;
+    ++changes_;
     what_if_.reset();
     if (rise == 0) return;
     CharacterState moved = state();
@@ -99,6 +100,7 @@ void Walker::change(const CharacterSettings& settings) {
 void Walker::change(const std::vector<SurfaceRule>& surfaces) {
     surfaces_ = surfaces;
     is_changed_ = true;
+    ++changes_;
     what_if_.reset();
 }
 

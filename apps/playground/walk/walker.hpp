@@ -107,6 +107,9 @@ public:
     void change(const CharacterSettings& settings);
     void change(const std::vector<SurfaceRule>& surfaces);
 
+    /// How often they were changed.
+    [[nodiscard]] std::uint64_t changes() const { return changes_; }
+
     bool paused = false;
     double speed = 1;  ///< of time
 
@@ -118,6 +121,7 @@ private:
     World world_;
     CharacterSettings settings_{};
     std::vector<SurfaceRule> surfaces_;
+    std::uint64_t changes_ = 0;
     bool is_changed_ = true;  // since the past began
     CharacterState before_{};
     CharacterState now_{};

@@ -2,6 +2,7 @@
 /// character gets over them, and gets over them too when it is a little early, late, aside, slower or faster.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -47,6 +48,9 @@ struct NavigationLinkOptions {
     int threads = 2;
 
     NavigationProgress progress{};
+
+    /// Once this is true, looking ends soon and nothing is found. Whoever sets it keeps it until then.
+    const std::atomic<bool>* stop = nullptr;
 };
 
 /// What looking for links found, each by `NavigationLinkKind`.
