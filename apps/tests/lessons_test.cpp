@@ -9,6 +9,7 @@
 #include "playground/debugger_room/lesson_view.hpp"
 #include "playground/debugger_room/panels_lessons.hpp"
 #include "playground/debugger_room/voxel_play.hpp"
+#include "playground/navigation/overlay.hpp"
 #include "view/gl.hpp"
 #include "view/imgui_adapter.hpp"
 #include "view/orbit_camera.hpp"
@@ -218,7 +219,8 @@ public:
         display_ = std::move(*display);
         renderer_ = std::make_unique<view::Renderer>();
         imgui_ = std::make_unique<view::ImGuiAdapter>(*display_);
-        stage_.emplace(Stage{*display_, *renderer_, settings_, toasts_, browser_, chooser_, levels_, true});
+        stage_.emplace(
+            Stage{*display_, *renderer_, settings_, toasts_, browser_, chooser_, levels_, navigation_, true});
         panel_->enter(*stage_);
         look();
         for (int i = 0; i < 3; ++i) frame();
@@ -289,6 +291,7 @@ private:
     view::FileBrowser browser_;
     view::Chooser chooser_;
     LevelLoader levels_{true};
+    NavigationOverlay navigation_{true};
     std::optional<Stage> stage_;
     view::OrbitCamera camera_;
     debugger::Question question_;

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <thread>
 #include <unordered_set>
 
 #include <surefoot/navigation_check.hpp>
 #include <surefoot/navigation_query.hpp>
+
+#include "frame.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -25,6 +28,15 @@ void count_links(const NavigationMesh& mesh, const NavigationFlood& flood, Navig
         if (query.nearest(link.from, aside, vertical) && query.nearest(link.to, aside, vertical))
             ++check.links_kept[static_cast<std::size_t>(link.kind)];
     }
+}
+
+/// Of a polygon seen from above [m^2].
+double area_of(const NavigationOutline& outline, const dvec3& up) {
+    double twice = 0;
+    for (std::uint32_t i = 2; i < outline.corners; ++i)
+        twice += navigation::dot(
+            up, navigation::cross(outline.corner[i - 1] - outline.corner[0], outline.corner[i] - outline.corner[0]));
+    return std::abs(twice) / 2;
 }
 
 struct Walk {
@@ -96,14 +108,18 @@ bool NavigationCheck::lost_a_kind() const noexcept {
 std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec3> places) noexcept {
     const NavigationQuery query(mesh);
     std::optional<dvec3> best;
-    std::size_t most = 0;
+    double most = 0;
     std::unordered_set<std::uint32_t> known;
     const auto consider = [&](const std::optional<NavigationPoint>& point) {
         if (!point || known.contains(point->polygon.id)) return;
         const std::vector<NavigationPolygon> reached = query.reachable(*point);
-        for (const NavigationPolygon polygon : reached) known.insert(polygon.id);
-        if (reached.size() <= most) return;
-        most = reached.size();
+        double area = 0;
+        for (const NavigationPolygon polygon : reached) {
+            known.insert(polygon.id);
+            area += area_of(mesh.outline(polygon), mesh.up());
+        }
+        if (area <= most) return;
+        most = area;
         best = point->position;
     };
     for (const dvec3& place : places) {
