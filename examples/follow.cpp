@@ -6,6 +6,8 @@
 #include <surefoot/navigation_crowd.hpp>
 #include <surefoot/navigation_field.hpp>
 #include <surefoot/navigation_follow.hpp>
+#include <surefoot/navigation_links.hpp>
+#include <surefoot/navigation_query.hpp>
 #include <surefoot/surefoot.hpp>
 
 namespace {
@@ -86,12 +88,17 @@ int main() {
     surefoot::World world;
     const surefoot::CharacterSettings settings{};
     if (!world.add(level())) return 1;
-    const auto mesh = surefoot::NavigationMesh::build(world, settings);
-    if (!mesh) {
-        std::printf("%s\n", mesh.error().text.c_str());
-        return 1;
-    }
-    const bool all = one(world, settings, *mesh) && many(world, settings, *mesh) && down(world, settings, *mesh);
+    // [navigation]
+    auto mesh = surefoot::NavigationMesh::build(world, settings);  // or ::open("castle.surefoot")
+    if (!mesh || !mesh->set_links(surefoot::find_links(world, settings, *mesh))) return 1;
+    const surefoot::NavigationQuery ask(*mesh);
+    const auto here = ask.under({-5, 0.5, -8}, 2, 1);
+    const auto there = ask.nearest({5, 0, -8}, 1, 1);
+    const auto path = here && there ? ask.path(*here, *there) : std::nullopt;
+    if (path) std::printf("%.1f m, %zu bends\n", path->length, path->corners.size() - 2);
+    // [/navigation]
+    const bool all =
+        path && one(world, settings, *mesh) && many(world, settings, *mesh) && down(world, settings, *mesh);
     std::printf("%s\n", all ? "all arrived" : "somebody did not arrive");
     return all ? 0 : 1;
 }

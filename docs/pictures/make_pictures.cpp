@@ -19,8 +19,8 @@ int main(int count, char** words) {
     }
     const std::string folder = words[count - 1];
     int wrong = 0;
-    for (const auto& sheet : {pictures::memory_pictures(), pictures::question_pictures(), pictures::method_pictures(),
-                              pictures::shape_pictures()}) {
+    for (const auto& sheet : {pictures::memory_pictures(), pictures::navigation_pictures(),
+                              pictures::question_pictures(), pictures::method_pictures(), pictures::shape_pictures()}) {
         for (const pictures::Picture& picture : sheet) {
             const std::string path = folder + "/" + std::string(picture.name) + ".svg";
             const std::string drawn = picture.draw();
