@@ -47,6 +47,11 @@ std::string check_text(const std::string& file, const NavigationCheck& check, co
     out += fmt::format(
         "  taken out  {:.1f} m2 to which no feet get, {:.1f} m2 from which they do not get back; {:.1f} m2 are left\n",
         agreement.unreached, agreement.no_return, agreement.kept);
+    out += fmt::format(
+        "  rehearsed  {} walks: {} links that failed dropped, {:.1f} m2 in {} polygons where feet got stuck taken "
+        "out\n",
+        grouped(agreement.rehearsed), grouped(agreement.failed_links), agreement.failed_area,
+        grouped(agreement.failed_polygons));
     Table links({"links", "tried", "done by the feet", "useful", "in reach", "kept"});
     for (std::size_t kind = 0; kind < std::size(kinds); ++kind)
         links.add({kinds[kind], grouped(check.links.tried[kind]), grouped(check.links.done[kind]),
@@ -82,10 +87,12 @@ void append_point(std::string& out, const char* name, const dvec3& value) {
 
 std::string check_json(const std::string& file, const NavigationCheck& check, const std::vector<std::string>& saved) {
     std::string out = fmt::format(
-        R"({{"file":{},"passes":{},"polygons":{},"area":{:.3f},"kept":{:.3f},"unreached":{:.3f},"no_return":{:.3f},"flood":{:.3f},"covered":{:.6f},"walks":{},"arrived":{},"links_walked":{},"length":{:.3f},"seconds":{:.3f},"slowest":{:.3f},"links":{{)",
+        R"({{"file":{},"passes":{},"polygons":{},"area":{:.3f},"kept":{:.3f},"unreached":{:.3f},"no_return":{:.3f},"flood":{:.3f},"covered":{:.6f},"rehearsed":{},"failed_links":{},"failed_polygons":{},"failed_area":{:.3f},"walks":{},"arrived":{},"links_walked":{},"length":{:.3f},"seconds":{:.3f},"slowest":{:.3f},"links":{{)",
         json_string(file), check.passes(), check.mesh.polygons, check.mesh.area, check.agreement.kept,
         check.agreement.unreached, check.agreement.no_return, check.agreement.flood, check.agreement.covered(),
-        check.walks, check.arrived, check.links_walked, check.length, check.seconds, check.slowest);
+        check.agreement.rehearsed, check.agreement.failed_links, check.agreement.failed_polygons,
+        check.agreement.failed_area, check.walks, check.arrived, check.links_walked, check.length, check.seconds,
+        check.slowest);
     for (std::size_t kind = 0; kind < std::size(kind_keys); ++kind)
         out += fmt::format(R"({}"{}":{{"tried":{},"done":{},"useful":{},"in_reach":{},"kept":{}}})",
                            kind == 0 ? "" : ",", kind_keys[kind], check.links.tried[kind], check.links.done[kind],

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -120,6 +121,10 @@ public:
     [[nodiscard]] std::size_t links() const noexcept { return links_; }  ///< how many links it went over since
     [[nodiscard]] bool on_link() const noexcept { return drives_; }      ///< the driver has it
 
+    /// Of `NavigationMesh::links`, since it was sent: those that failed it twice, the second time with care. It takes
+    /// other ways, as long as there are any.
+    [[nodiscard]] std::span<const std::uint32_t> failed_links() const noexcept { return failed_; }
+
 private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
@@ -130,6 +135,8 @@ private:
     void move_along(const NavigationQuery& query);
     void watch(const CharacterState& state, double dt);
     void try_again(NavigationFollowReason reason) noexcept;
+    [[nodiscard]] std::optional<NavigationPath> find_path(const NavigationQuery& query, const NavigationPoint& from);
+    void fail_link();
     [[nodiscard]] CharacterInput walk(const NavigationQuery& query, const CharacterState& state,
                                       const CharacterSettings& settings, double dt);
     [[nodiscard]] CharacterInput drive_link(const NavigationQuery& query, const CharacterState& state,
@@ -161,6 +168,10 @@ private:
     std::size_t links_ = 0;
     NavigationLink link_;  ///< that is gone over; without its inputs
     NavigationDrive drive_{};
+    std::uint32_t link_number_ = 0;             ///< of `NavigationMesh::links`
+    std::vector<std::uint32_t> careful_{};      ///< links that failed once: they are tried again with care
+    std::vector<std::uint32_t> failed_{};       ///< links that failed with care, too,
+    std::vector<NavigationPolygon> avoided_{};  ///< and their polygons: no way goes over them
     bool drives_ = false;
     bool wants_plan_ = false;
 };
