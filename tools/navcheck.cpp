@@ -21,6 +21,7 @@ struct CheckGiven {
     WalkerOptions walker;
     std::size_t walks = 1000;
     std::uint64_t seed = 1;
+    std::optional<std::size_t> rehearsals;
     std::optional<double> mesh_radius;
     std::optional<double> mesh_slope;
     std::optional<double> mesh_climb;
@@ -148,7 +149,9 @@ ExitCode run_check(const CheckGiven& given) {
         agent.slope_limit_deg = given.mesh_slope.value_or(agent.slope_limit_deg);
         agent.climb = given.mesh_climb.value_or(agent.climb);
         options.mesh.agent = agent;
+        options.rehearsals = 0;  // a trial shows what is wrong and does not mend it
     }
+    options.rehearsals = given.rehearsals.value_or(options.rehearsals);
     const std::vector<dvec3> starts = starts_of(level);
     const auto check = check_navigation(world, settings, starts, options);
     bars.end();
@@ -171,6 +174,11 @@ void add_navcheck(CLI::App& program, Run& run) {
     command->add_option("--seed", given->seed, "Of the paths' ends: the same number gives the same paths (default: 1)")
         ->type_name("NUMBER");
     command
+        ->add_option("--rehearsals", given->rehearsals,
+                     "Walks of a round of rehearsal, which mends what fails (default: 200, with --mesh-... 0: none)")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}))
+        ->type_name("COUNT");
+    command
         ->add_option("--mesh-radius", given->mesh_radius,
                      "Build the mesh for another radius than the feet have: a trial")
         ->type_name("METRES");
@@ -185,8 +193,11 @@ void add_navcheck(CLI::App& program, Run& run) {
         "  surefoot navcheck castle.glb --mesh-climb 0.8        has to fail where there are steps of that height\n"
         "\nBuilds the mesh, finds its links, walks a character into every corner that its feet reach from where the\n"
         "level's markers of the kind `spawn` are (or from the largest piece of ground), takes out what they do not\n"
-        "reach, and then walks random paths. It passes if all arrive, if the mesh knows at least 98% of what the feet\n"
-        "reach, and if no kind of link is lost. `surefoot replay STEM-1.json` says why a walk got stuck.\n"
+        "reach, rehearses and drops what fails, and then walks other random paths. It passes if all arrive, if the "
+        "mesh\n"
+        "knows at least 98% of what the feet reach, and if no kind of link is lost. `surefoot replay STEM-1.json` "
+        "says\n"
+        "why a walk got stuck.\n"
         "Exit codes: 0 it passes, 1 it does not, 2 wrong usage or a level for which this cannot be done, 3 a file\n"
         "cannot be read or written."));
     command->callback([given, &run] { run = [given] { return run_check(*given); }; });
