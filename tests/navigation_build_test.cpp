@@ -303,5 +303,23 @@ TEST(NavigationBuild, TheProgressCountsAllTilesOnce) {
     }
 }
 
+// Broken variant: cells alone decide, and each of them is but a step higher than the one before.
+TEST(NavigationBuild, NarrowTreadsAndShortSteepBanksAreNoWayUp) {
+    Scene narrow;
+    narrow.floor(-6, 0, -3, 3);
+    for (int i = 0; i < 4; ++i) narrow.block({i * 0.1, -1, -3}, {6, 0.25 * (i + 1), 3});
+    const NavigationMesh stairs = built(narrow.world(), {});
+    EXPECT_FALSE(leads(stairs, {-3, 0, 0}, {3, 1, 0})) << "treads of ten centimetres";
+    Scene wide;
+    wide.floor(-6, 0, -3, 3);
+    for (int i = 0; i < 4; ++i) wide.block({i * 0.25, -1, -3}, {6, 0.25 * (i + 1), 3});
+    EXPECT_TRUE(leads(built(wide.world(), {}), {-3, 0, 0}, {3, 1, 0})) << "treads of twenty-five centimetres";
+    // 74 degrees, and no longer than two cells.
+    Scene bank;
+    bank.floor(-6, 0, -3, 3).floor(0.25, 6, -3, 3, 0.875);
+    bank.quad({0, 0, -3}, {0, 0, 3}, {0.25, 0.875, 3}, {0.25, 0.875, -3});
+    EXPECT_FALSE(leads(built(bank.world(), {}), {-3, 0, 0}, {3, 0.875, 0}));
+}
+
 }  // namespace
 }  // namespace surefoot::tests

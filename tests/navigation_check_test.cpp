@@ -46,6 +46,7 @@ constexpr dvec3 start{-5, 0, 0};
 NavigationCheckOptions quick(std::size_t walks) {
     NavigationCheckOptions options;
     options.walks = walks;
+    options.rehearsals = 25;
     return options;
 }
 
@@ -60,10 +61,11 @@ NavigationCheck check_of(const Bricks& bricks, const NavigationCheckOptions& opt
 
 /// The same level with a mesh for another agent than the feet's. Nobody jumps: jumps would get up steps and banks.
 template <typename Change>
-NavigationCheck check_wrong(const Bricks& bricks, std::size_t walks, const Change& change) {
+NavigationCheck check_wrong(const Bricks& bricks, std::size_t walks, const Change& change, std::size_t rehearsals = 0) {
     CharacterSettings settings;
     settings.jump_height = 0;
     NavigationCheckOptions options = quick(walks);
+    options.rehearsals = rehearsals;
     NavigationAgent agent = navigation_agent(settings);
     change(agent);
     options.mesh.agent = agent;
@@ -196,6 +198,63 @@ TEST(NavigationCheck, SaysInWordsThatNobodyCanStandInALevel) {
     const auto check = check_navigation(world, {}, {}, quick(1));
     ASSERT_FALSE(check.has_value());
     EXPECT_NE(check.error().text.find("nobody can stand"), std::string::npos) << check.error().text;
+}
+
+// Broken variant: a rehearsal takes out whatever fails, and a mesh that is wrong everywhere passes.
+TEST(NavigationCheck, ARehearsalMendsSlipsAndNotAMeshForOtherFeet) {
+    const auto higher = [](NavigationAgent& agent) { agent.climb = 0.8; };
+    const NavigationCheck steps = check_wrong(chair(), 25, higher, 25);
+    EXPECT_FALSE(steps.passes());
+    EXPECT_LE(steps.agreement.failed_area, 0.01 * (steps.agreement.kept + steps.agreement.failed_area));
+    const auto steeper = [](NavigationAgent& agent) { agent.slope_limit_deg = 75; };
+    EXPECT_FALSE(check_wrong(bank(), 25, steeper, 25).passes());
+}
+
+/// Two floors with a chasm between them, joined by a bridge at the side; a wall stands before the chasm.
+Bricks chasm() {
+    Bricks bricks;
+    bricks.box({-8, -1, -8}, {-3, 0, 8});
+    bricks.box({3, -1, -8}, {8, 0, 8});
+    bricks.box({-3, -1, 6}, {3, 0, 8});
+    bricks.box({-3.2F, 0, -8}, {-3, 3, 5});
+    return bricks;
+}
+
+/// A way through the wall and over the chasm, as somebody claims.
+const NavigationLink through_the_wall{
+    .from = {-4, 0, 0}, .to = {4, 0, 0}, .takeoff = {-3.5, 0, 0}, .kind = NavigationLinkKind::step_up, .seconds = 1};
+
+// Broken variants: a failed link stays; a rehearsal is content after its first round; all links are dropped.
+TEST(NavigationCheck, ALinkThatFailsInARehearsalIsDropped) {
+    World world;
+    ASSERT_TRUE(world.add(chasm().mesh()).has_value());
+    auto mesh = NavigationMesh::build(world, {});
+    ASSERT_TRUE(mesh.has_value());
+    ASSERT_EQ(mesh->set_links(std::span(&through_the_wall, 1)).value_or(9), 0U);
+    const NavigationFlood flood = flood_by_feet(world, {}, *mesh, std::span(&start, 1));
+    NavigationAgreement agreement = keep_reached(*mesh, flood, start);
+    const double kept = agreement.kept;
+    rehearse(*mesh, world, {}, flood, start, quick(0), agreement);
+    EXPECT_EQ(agreement.failed_links, 1U);
+    EXPECT_EQ(agreement.failed_polygons, 0U);
+    EXPECT_EQ(agreement.rehearsed, 50U) << "the second round has no failure";
+    EXPECT_TRUE(mesh->links().empty());
+    EXPECT_DOUBLE_EQ(agreement.kept, kept) << "there is the bridge";
+}
+
+// Broken variant: tiles that are put in with other links hold ground that was taken out.
+TEST(NavigationCheck, WhatIsTakenOutStaysSoWhateverLinksCome) {
+    World world;
+    ASSERT_TRUE(world.add(chasm().mesh()).has_value());
+    auto mesh = NavigationMesh::build(world, {});
+    ASSERT_TRUE(mesh.has_value());
+    const NavigationPolygon bridge =
+        NavigationQuery(*mesh).nearest({0, 0, 7}, 1, 1).value_or(NavigationPoint{}).polygon;
+    mesh->take_out(std::span(&bridge, 1));
+    for (const std::size_t links : {1U, 0U}) {
+        ASSERT_EQ(mesh->set_links(std::span(&through_the_wall, links)).value_or(9), 0U);
+        EXPECT_FALSE(NavigationQuery(*mesh).nearest({0, 0, 7}, 0.1, 1).has_value());
+    }
 }
 
 }  // namespace

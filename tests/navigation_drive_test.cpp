@@ -95,5 +95,81 @@ TEST(NavigationDrive, SteersBackWhoeverIsPushed) {
     EXPECT_EQ(driver.status, NavigationDriveStatus::arrived);
 }
 
+/// Twelve stones with tilted tops, strewn over a floor.
+Scene stones() {
+    std::uint32_t random = 1013904226;
+    const auto next = [&] {
+        random = random * 1664525U + 1013904223U;
+        return (random >> 8) / 16777216.0;
+    };
+    Scene scene;
+    scene.floor(-3, 3, -3, 3);
+    for (int i = 0; i < 12; ++i) {
+        const double x = -2.5 + 5 * next();
+        const double z = -2.5 + 5 * next();
+        const double wide = 0.15 + 0.6 * next();
+        const double deep = 0.15 + 0.6 * next();
+        const double high = 0.3 + 1.2 * next();
+        const double tilt = (next() - 0.5) * 1.2;
+        const double rise = high - std::abs(tilt) * wide < 0.05 ? 0 : tilt * wide;
+        const dvec3 a{x - wide, 0, z - deep}, b{x - wide, 0, z + deep}, c{x + wide, 0, z + deep},
+            d{x + wide, 0, z - deep};
+        const dvec3 up_low{0, high - rise, 0}, up_high{0, high + rise, 0};
+        scene.quad(a + up_low, b + up_low, c + up_high, d + up_high);
+        scene.quad(a, b, b + up_low, a + up_low).quad(b, c, c + up_high, b + up_low);
+        scene.quad(c, d, d + up_high, c + up_high).quad(d, a, a + up_low, d + up_high);
+    }
+    return scene;
+}
+
+// Broken variant: a link is proved only for those who set out at rest from the very place where it begins; then some of
+// these fail.
+TEST(NavigationDrive, GetsOverWhoeverSetsOutBesideTheBeginningAndOnTheMove) {
+    Level level = level_of(stones());
+    const auto links = level.links();
+    EXPECT_GT(links.size(), 50U);
+    const double feet = navigation_agent(level.settings).feet;
+    for (const NavigationLink& link : links) {
+        dvec3 forward{link.to.x - link.from.x, 0, link.to.z - link.from.z};
+        forward /= std::max(std::hypot(forward.x, forward.z), 1e-9);
+        const dvec3 left{forward.z, 0, -forward.x};
+        for (const dvec3& aside : {forward, -forward, left, -left}) {
+            CharacterState state = stand_at(level.world, level.settings, link.from + aside * 0.14);
+            if (state.footing != Footing::ground) continue;
+            state.velocity = aside;
+            NavigationDrive driver{.feet = feet};
+            while (driver.status < NavigationDriveStatus::arrived) {
+                const CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
+                state = step(level.world, level.settings, input, 1.0 / 60, state).state;
+            }
+            EXPECT_EQ(driver.status, NavigationDriveStatus::arrived)
+                << "from " << link.from.x << ' ' << link.from.y << ' ' << link.from.z;
+        }
+    }
+}
+
+// Broken variant: whoever is to be careful sets out on the run.
+TEST(NavigationDrive, WithCareItComesToRestFirst) {
+    Level level = level_of(gap(3));
+    const auto links = level.links();
+    ASSERT_FALSE(links.empty());
+    const NavigationLink& link = links.front();
+    for (const bool careful : {false, true}) {
+        CharacterState state = stand_at(level.world, level.settings, link.from + dvec3{0, 0, 0.1});
+        NavigationDrive driver{.feet = navigation_agent(level.settings).feet, .careful = careful};
+        double off = 1;
+        while (driver.status < NavigationDriveStatus::arrived) {
+            const bool waits = driver.status == NavigationDriveStatus::approaching;
+            const dvec3 at = state.position;
+            const CharacterInput input = drive(link, driver, state, level.settings, 1.0 / 60);
+            if (waits && driver.status == NavigationDriveStatus::under_way)
+                off = std::hypot(at.x - link.from.x, at.z - link.from.z);
+            state = step(level.world, level.settings, input, 1.0 / 60, state).state;
+        }
+        EXPECT_EQ(driver.status, NavigationDriveStatus::arrived);
+        EXPECT_EQ(off < 0.05, careful) << off;
+    }
+}
+
 }  // namespace
 }  // namespace surefoot::tests

@@ -47,6 +47,9 @@ std::string built_json(const std::string& file, const NavigationMesh& mesh, std:
     append_field(out, "unreached", agreement.unreached);
     append_field(out, "no_return", agreement.no_return);
     append_field(out, "covered", agreement.covered());
+    out += fmt::format(R"(,"rehearsed":{},"failed_links":{},"failed_polygons":{})", agreement.rehearsed,
+                       agreement.failed_links, agreement.failed_polygons);
+    append_field(out, "failed_area", agreement.failed_area);
     append_field(out, "seconds", report.seconds);
     out += R"(,"agent":{"radius":)";
     append_number(out, agent.radius);
@@ -71,8 +74,11 @@ std::string built_text(const std::string& file, const NavigationMesh& mesh, std:
     if (agreement.flood > 0)
         out += fmt::format(
             "  taken out {:.1f} m2 to which no feet get, {:.1f} m2 from which they do not get back\n"
+            "  rehearsed {} walks: {} links that failed dropped, {:.1f} m2 in {} polygons where feet got stuck taken "
+            "out\n"
             "  knows     {:.2f}% of the {:.1f} m2 that feet reach and come back from\n",
-            agreement.unreached, agreement.no_return, 100 * agreement.covered(), agreement.flood);
+            agreement.unreached, agreement.no_return, grouped(agreement.rehearsed), grouped(agreement.failed_links),
+            agreement.failed_area, grouped(agreement.failed_polygons), 100 * agreement.covered(), agreement.flood);
     return out;
 }
 

@@ -21,6 +21,7 @@ struct CheckGiven {
     WalkerOptions walker;
     std::size_t walks = 1000;
     std::uint64_t seed = 1;
+    std::optional<std::size_t> rehearsals;
     std::optional<double> mesh_radius;
     std::optional<double> mesh_slope;
     std::optional<double> mesh_climb;
@@ -47,6 +48,11 @@ std::string check_text(const std::string& file, const NavigationCheck& check, co
     out += fmt::format(
         "  taken out  {:.1f} m2 to which no feet get, {:.1f} m2 from which they do not get back; {:.1f} m2 are left\n",
         agreement.unreached, agreement.no_return, agreement.kept);
+    out += fmt::format(
+        "  rehearsed  {} walks: {} links that failed dropped, {:.1f} m2 in {} polygons where feet got stuck taken "
+        "out\n",
+        grouped(agreement.rehearsed), grouped(agreement.failed_links), agreement.failed_area,
+        grouped(agreement.failed_polygons));
     Table links({"links", "tried", "done by the feet", "useful", "in reach", "kept"});
     for (std::size_t kind = 0; kind < std::size(kinds); ++kind)
         links.add({kinds[kind], grouped(check.links.tried[kind]), grouped(check.links.done[kind]),
@@ -82,10 +88,12 @@ void append_point(std::string& out, const char* name, const dvec3& value) {
 
 std::string check_json(const std::string& file, const NavigationCheck& check, const std::vector<std::string>& saved) {
     std::string out = fmt::format(
-        R"({{"file":{},"passes":{},"polygons":{},"area":{:.3f},"kept":{:.3f},"unreached":{:.3f},"no_return":{:.3f},"flood":{:.3f},"covered":{:.6f},"walks":{},"arrived":{},"links_walked":{},"length":{:.3f},"seconds":{:.3f},"slowest":{:.3f},"links":{{)",
+        R"({{"file":{},"passes":{},"polygons":{},"area":{:.3f},"kept":{:.3f},"unreached":{:.3f},"no_return":{:.3f},"flood":{:.3f},"covered":{:.6f},"rehearsed":{},"failed_links":{},"failed_polygons":{},"failed_area":{:.3f},"walks":{},"arrived":{},"links_walked":{},"length":{:.3f},"seconds":{:.3f},"slowest":{:.3f},"links":{{)",
         json_string(file), check.passes(), check.mesh.polygons, check.mesh.area, check.agreement.kept,
         check.agreement.unreached, check.agreement.no_return, check.agreement.flood, check.agreement.covered(),
-        check.walks, check.arrived, check.links_walked, check.length, check.seconds, check.slowest);
+        check.agreement.rehearsed, check.agreement.failed_links, check.agreement.failed_polygons,
+        check.agreement.failed_area, check.walks, check.arrived, check.links_walked, check.length, check.seconds,
+        check.slowest);
     for (std::size_t kind = 0; kind < std::size(kind_keys); ++kind)
         out += fmt::format(R"({}"{}":{{"tried":{},"done":{},"useful":{},"in_reach":{},"kept":{}}})",
                            kind == 0 ? "" : ",", kind_keys[kind], check.links.tried[kind], check.links.done[kind],
@@ -141,7 +149,9 @@ ExitCode run_check(const CheckGiven& given) {
         agent.slope_limit_deg = given.mesh_slope.value_or(agent.slope_limit_deg);
         agent.climb = given.mesh_climb.value_or(agent.climb);
         options.mesh.agent = agent;
+        options.rehearsals = 0;  // a trial shows what is wrong and does not mend it
     }
+    options.rehearsals = given.rehearsals.value_or(options.rehearsals);
     const std::vector<dvec3> starts = starts_of(level);
     const auto check = check_navigation(world, settings, starts, options);
     bars.end();
@@ -164,6 +174,11 @@ void add_navcheck(CLI::App& program, Run& run) {
     command->add_option("--seed", given->seed, "Of the paths' ends: the same number gives the same paths (default: 1)")
         ->type_name("NUMBER");
     command
+        ->add_option("--rehearsals", given->rehearsals,
+                     "Walks of a round of rehearsal, which mends what fails (default: 200, with --mesh-... 0: none)")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}))
+        ->type_name("COUNT");
+    command
         ->add_option("--mesh-radius", given->mesh_radius,
                      "Build the mesh for another radius than the feet have: a trial")
         ->type_name("METRES");
@@ -178,8 +193,11 @@ void add_navcheck(CLI::App& program, Run& run) {
         "  surefoot navcheck castle.glb --mesh-climb 0.8        has to fail where there are steps of that height\n"
         "\nBuilds the mesh, finds its links, walks a character into every corner that its feet reach from where the\n"
         "level's markers of the kind `spawn` are (or from the largest piece of ground), takes out what they do not\n"
-        "reach, and then walks random paths. It passes if all arrive, if the mesh knows at least 98% of what the feet\n"
-        "reach, and if no kind of link is lost. `surefoot replay STEM-1.json` says why a walk got stuck.\n"
+        "reach, rehearses and drops what fails, and then walks other random paths. It passes if all arrive, if the "
+        "mesh\n"
+        "knows at least 98% of what the feet reach, and if no kind of link is lost. `surefoot replay STEM-1.json` "
+        "says\n"
+        "why a walk got stuck.\n"
         "Exit codes: 0 it passes, 1 it does not, 2 wrong usage or a level for which this cannot be done, 3 a file\n"
         "cannot be read or written."));
     command->callback([given, &run] { run = [given] { return run_check(*given); }; });

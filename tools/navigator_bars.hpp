@@ -13,7 +13,7 @@ namespace surefoot::tools {
 class CheckBars {
 public:
     void show(NavigationCheckPart part, std::size_t done, std::size_t all) {
-        constexpr const char* names[] = {"looking for ground", "looking for links", "walking everywhere",
+        constexpr const char* names[] = {"looking for ground", "looking for links", "walking everywhere", "rehearsing",
                                          "walking random paths"};
         if (!bar_ || part != part_) bar_.emplace(names[static_cast<std::size_t>(part)]);
         part_ = part;

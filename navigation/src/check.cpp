@@ -9,22 +9,39 @@
 #include <surefoot/navigation_query.hpp>
 
 #include "frame.hpp"
+#include "random_walks.hpp"
 
 namespace surefoot {
 inline namespace v0 {
 namespace {
 
+using navigation::RandomWalk;
+
 constexpr std::size_t most_failed = 32;
 
-/// Which of the links that the feet use begin and end on ground that is open.
-void count_links(const NavigationMesh& mesh, const NavigationFlood& flood, NavigationCheck& check) {
+/// Links between places that the feet get to and come back from.
+std::vector<NavigationLink> links_used(const NavigationMesh& mesh, const NavigationFlood& flood) {
+    std::vector<NavigationLink> used;
+    for (std::size_t i = 0; i < mesh.links().size(); ++i)
+        if (flood.links_used[i]) used.push_back(mesh.links()[i]);
+    return used;
+}
+
+/// Which of the links that the feet use are still there, and begin and end on ground that is open.
+void count_links(const NavigationMesh& mesh, std::span<const NavigationLink> used, NavigationCheck& check) {
     const NavigationQuery query(mesh, 16);
     const double aside = 2 * mesh.agent().radius;
     const double vertical = std::max(mesh.agent().climb, mesh.agent().radius);
-    for (std::size_t i = 0; i < mesh.links().size(); ++i) {
-        if (!flood.links_used[i]) continue;
-        const NavigationLink& link = mesh.links()[i];
+    // They keep their order, whichever are dropped.
+    auto kept = mesh.links().begin();
+    for (const NavigationLink& link : used) {
         ++check.links_of_feet[static_cast<std::size_t>(link.kind)];
+        const auto found = std::find_if(kept, mesh.links().end(), [&](const NavigationLink& there) {
+            return there.from == link.from && there.to == link.to && there.kind == link.kind &&
+                   there.speed == link.speed && there.takeoff == link.takeoff;
+        });
+        if (found == mesh.links().end()) continue;
+        kept = found + 1;
         if (query.nearest(link.from, aside, vertical) && query.nearest(link.to, aside, vertical))
             ++check.links_kept[static_cast<std::size_t>(link.kind)];
     }
@@ -79,8 +96,9 @@ std::vector<Walk> walk_all(const World& world, const CharacterSettings& settings
 }
 
 void count_walks(std::span<const Walk> walks, double speed, NavigationCheck& check) {
+void count_walks(std::span<const RandomWalk> walks, double speed, NavigationCheck& check) {
     check.walks = walks.size();
-    for (const Walk& walk : walks) {
+    for (const RandomWalk& walk : walks) {
         check.links_walked += walk.report.links;
         if (!walk.report.arrived) {
             if (check.failed.size() < most_failed)
@@ -159,13 +177,15 @@ NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, cons
     flood_options.threads = options.threads;
     flood_options.progress = NavigationProgress(flood_progress);
     const NavigationFlood flood = flood_by_feet(world, settings, mesh, std::span(&start, 1), flood_options);
-    const NavigationAgreement agreement = keep_reached(mesh, flood, start);
+    const std::vector<NavigationLink> used = links_used(mesh, flood);
+    NavigationAgreement agreement = keep_reached(mesh, flood, start);
+    rehearse(mesh, world, settings, flood, start, options, agreement);
     if (check != nullptr) {
         check->links = link_report;
         check->flood_cells = flood.cells.size();
         check->flood_whole = flood.whole;
         check->agreement = agreement;
-        count_links(mesh, flood, *check);
+        count_links(mesh, used, *check);
     }
     return agreement;
 }
@@ -191,7 +211,12 @@ Expected<NavigationCheck> check_navigation(const World& world, const CharacterSe
     check.mesh = mesh->report();
     check.least_covered = options.least_covered;
     static_cast<void>(prove_by_feet(*mesh, world, settings, *start, options, &check));
-    count_walks(walk_all(world, settings, *mesh, options), options.walk.follow.speed, check);
+    const auto walk_progress = [&](std::size_t done, std::size_t all) {
+        options.progress(NavigationCheckPart::walks, done, all);
+    };
+    count_walks(navigation::random_walks(world, settings, *mesh, options.walk, options.threads, options.walks,
+                                         options.seed << 32, NavigationProgress(walk_progress)),
+                options.walk.follow.speed, check);
     return check;
 }
 

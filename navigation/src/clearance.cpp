@@ -52,6 +52,56 @@ Edge edge_of(const rcHeightfield& solid, const rcCompactHeightfield& ground, int
     return edge;
 }
 
+/// Finds ground that rises by more than a step within the depth that a step needs: a step of narrow treads, or a bank
+/// so short that its cells hold some of the ground below and above it and count as such. Cell by cell it can be
+/// climbed; feet find no hold there.
+class Banks {
+public:
+    Banks(const rcCompactHeightfield& ground, int climb, double depth)
+        : ground_(ground),
+          climb_(climb),
+          straight_(static_cast<int>(depth / static_cast<double>(ground.cs) + 1e-3)),
+          across_(static_cast<int>(depth / (static_cast<double>(ground.cs) * 1.4143) + 1e-3)) {}
+
+    /// Calls `visit(index)` for every span in the middle of such a rise.
+    template <typename Visit>
+    void each(const Visit& visit) const {
+        for (int z = 0; z < ground_.height; ++z) {
+            for (int x = 0; x < ground_.width; ++x) {
+                const rcCompactCell& cell = ground_.cells[x + z * ground_.width];
+                for (unsigned i = cell.index, end = i + cell.count; i < end; ++i)
+                    for (int direction = 0; direction < 4; ++direction) {
+                        if (straight_ >= 2) rise(static_cast<int>(i), x, z, direction, direction, straight_, visit);
+                        for (const int turn : {(direction + 1) % 4, (direction + 3) % 4})
+                            if (across_ >= 1) rise(static_cast<int>(i), x, z, direction, turn, 2 * across_, visit);
+                    }
+            }
+        }
+    }
+
+private:
+    /// So many cells on, by turns in the one direction and in the other.
+    template <typename Visit>
+    void rise(int from, int x, int z, int direction, int turn, int cells, const Visit& visit) const {
+        int middle = from;
+        int here = from;
+        for (int step = 0; step < cells; ++step) {
+            const int way = step % 2 == 0 ? direction : turn;
+            here = beside(ground_, ground_.spans[here], x, z, way);
+            if (here < 0) return;
+            x += rcGetDirOffsetX(way);
+            z += rcGetDirOffsetY(way);
+            if (step == (cells - 1) / 2) middle = here;
+        }
+        if (static_cast<int>(ground_.spans[here].y) - static_cast<int>(ground_.spans[from].y) > climb_) visit(middle);
+    }
+
+    const rcCompactHeightfield& ground_;
+    int climb_;
+    int straight_;  ///< cells along a side that are no deeper
+    int across_;    ///< the same over corners
+};
+
 /// For every span how far the nearest wall is, over connected ground.
 class WallDistance {
 public:
@@ -92,6 +142,12 @@ private:
 };
 
 }  // namespace
+
+void bar_banks(rcCompactHeightfield& ground, int climb, double depth) {
+    std::vector<int> barred;
+    Banks(ground, climb, depth).each([&](int span) { barred.push_back(span); });
+    for (const int span : barred) ground.areas[span] = RC_NULL_AREA;
+}
 
 void keep_clear(rcHeightfield& solid, rcCompactHeightfield& ground, int radius, int climb, int height) {
     std::vector<std::uint16_t> distance(static_cast<std::size_t>(ground.spanCount), far_away);

@@ -5,6 +5,10 @@
 
 namespace surefoot::navigation {
 
+/// Takes away the ground in the middle of a rise of more than `climb` cells within `depth` [m]. Cells hold the highest
+/// of what lies in them, so that stairs of treads too narrow for feet, and short steep banks, look like steps to climb.
+void bar_banks(rcCompactHeightfield& ground, int climb, double depth);
+
 /// Takes away the ground from which a wall is nearer than `radius` cells, and the outermost cells at drops.
 ///
 /// Recast's own erosion keeps the agent's whole width away from drops, too; feet do not: a character stands on an edge,

@@ -15,6 +15,8 @@ using Status = NavigationDriveStatus;
 
 /// So near to a place is at it [m].
 constexpr double at_place = 0.15;
+/// Of the place and of the speed of those who begin with care [m and m/s].
+constexpr double at_rest = 0.03;
 /// Somebody who runs aims at the line so far ahead [m].
 constexpr double look_ahead = 0.5;
 /// Whoever is so slow when the link begins can be going anywhere [m/s].
@@ -102,7 +104,8 @@ bool is_far_above(const Way& way, const dvec3& place, const CharacterState& stat
     return state.footing == Footing::air && settings.gravity > 0 && above > rising * rising / (2 * settings.gravity);
 }
 
-bool may_begin(const Way& way, const NavigationLink& link, const CharacterState& state) {
+bool may_begin(const Way& way, const NavigationLink& link, const CharacterState& state, bool careful) {
+    if (careful && (length(way.to(link.from)) > at_rest || length(state.velocity) > at_rest)) return false;
     if (state.footing != Footing::ground || length(way.to(link.from)) > at_place) return false;
     const dvec3 velocity = way.level(state.velocity);
     const double speed = length(velocity);
@@ -141,7 +144,7 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
     const Way way(link, drive, state);
     CharacterInput input{.up = drive.up};
     if (drive.status == Status::approaching) {
-        if (may_begin(way, link, state))
+        if (may_begin(way, link, state, drive.careful))
             become(drive, Status::under_way);
         else if (drive.seconds > longest_approach)
             become(drive, Status::failed);

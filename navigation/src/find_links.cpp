@@ -22,8 +22,8 @@ bool is_valid(const NavigationLinkOptions& options) {
     return options.run_speed > 0 && std::isfinite(options.run_speed) && options.tick >= 0.001 && options.tick <= 0.1 &&
            is_length(options.deepest_drop) && options.spacing > 0 && std::isfinite(options.spacing) &&
            is_length(options.shortcut) && is_length(options.least_saving) && is_length(margins.along) &&
-           is_length(margins.aside) && is_length(margins.speed) && margins.speed <= 0.9 && options.threads >= 1 &&
-           options.threads <= 64;
+           is_length(margins.aside) && is_length(margins.begin) && margins.begin <= 0.15 && is_length(margins.speed) &&
+           margins.speed <= 0.9 && options.threads >= 1 && options.threads <= 64;
 }
 
 /// What came of one place.

@@ -100,6 +100,9 @@ void NavigationFollower::begin(const NavigationPoint& goal) {
     without_ = lost_ = since_check_ = 0;
     tried_ = 0;
     plans_ = links_ = 0;
+    careful_.clear();
+    failed_.clear();
+    avoided_.clear();
     line_.points.clear();
     along_ = begin_ = best_along_ = 0;
 }
@@ -171,7 +174,7 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     along_ = begin_ = best_along_ = 0;
     without_ = since_check_ = 0;
     if (field_ != nullptr) return plan_down(query, beside);
-    std::optional<NavigationPath> path = query.path(beside.value_or(place_), goal_);
+    std::optional<NavigationPath> path = find_path(query, beside.value_or(place_));
     if (!path || (path->partial && !options_.go_near)) {
         give_up(Reason::no_path);
         return false;
@@ -181,6 +184,13 @@ bool NavigationFollower::plan(const NavigationQuery& query) {
     line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
     if (beside) line_ = navigation::line_from(place_.position, line_);
     return true;
+}
+
+std::optional<NavigationPath> NavigationFollower::find_path(const NavigationQuery& query, const NavigationPoint& from) {
+    std::optional<NavigationPath> path = query.path(from, goal_, avoided_);
+    // Rather a link that failed than no way at all.
+    if ((!path || path->partial) && !avoided_.empty()) return query.path(from, goal_);
+    return path;
 }
 
 bool NavigationFollower::plan_down(const NavigationQuery& query, const std::optional<NavigationPoint>& beside) {
@@ -312,9 +322,27 @@ bool NavigationFollower::begin_link(const NavigationQuery& query) {
              .inputs = {}};
     drive_ = {.up = query.mesh().up(), .feet = query.mesh().agent().feet};
     link_id_ = *point->link;
+    drive_.careful = std::find(careful_.begin(), careful_.end(), *point->link) != careful_.end();
+    link_number_ = *point->link;
     drives_ = true;
     begin_ = (point + 1)->along;
     return true;
+}
+
+void NavigationFollower::fail_link() {
+    const auto holds = [&](const std::vector<std::uint32_t>& links) {
+        return std::find(links.begin(), links.end(), link_number_) != links.end();
+    };
+    if (!drive_.careful) careful_.push_back(link_number_);
+    if (!drive_.careful || holds(failed_)) return try_again(Reason::link_failed);
+    failed_.push_back(link_number_);
+    for (const NavigationCorner& corner : path_.corners)
+        if (corner.link == link_number_) avoided_.push_back(corner.polygon);
+    // The way without it may be longer, and has attempts of its own.
+    least_left_ = std::numeric_limits<double>::infinity();
+    tried_ = 0;
+    wants_plan_ = true;
+    without_ = 0;
 }
 
 CharacterInput NavigationFollower::drive_link(const NavigationQuery& query, const CharacterState& state,
@@ -328,7 +356,7 @@ CharacterInput NavigationFollower::drive_link(const NavigationQuery& query, cons
     along_ = best_along_ = begin_;
     without_ = 0;
     if (failed) {
-        try_again(Reason::link_failed);
+        fail_link();
         return {.up = query.mesh().up()};
     }
     ++links_;

@@ -14,6 +14,8 @@ namespace {
 constexpr double stands_for = 0.5;
 /// And not farther than this from where the link ends [m].
 constexpr double strays = 0.6;
+/// The speed of somebody who did not stop where the link begins [m/s].
+constexpr double set_out = 1;
 
 void record_input(NavigationLink& link, const CharacterInput& input) {
     const NavigationInput told{.wish = input.wish, .ticks = 1, .jump = input.jump ? std::uint8_t{1} : std::uint8_t{0}};
@@ -73,8 +75,25 @@ bool LinkProof::stands(CharacterState state, const dvec3& to, std::uint32_t isla
 }
 
 bool LinkProof::gets_over(const NavigationLink& link, std::uint32_t island, NavigationLink* record) {
-    CharacterState state = stand_at(world_, settings_, agent_, link.from, up_, options_.tick);
-    if (state.footing != Footing::ground) return false;
+    const CharacterState state = stand_at(world_, settings_, agent_, link.from, up_, options_.tick);
+    return state.footing == Footing::ground && gets_over(link, state, island, record);
+}
+
+bool LinkProof::begins_beside(const NavigationLink& link, const dvec3& forward, std::uint32_t island) {
+    const dvec3 left = cross(up_, forward);
+    for (const dvec3& aside : {forward, -forward, left, -left}) {
+        const dvec3 place = link.from + aside * options_.margins.begin;
+        CharacterState state = stand_at(world_, settings_, agent_, place, up_, options_.tick);
+        // Nobody sets out from where nobody stands.
+        if (state.footing != Footing::ground || length(state.position - up_ * agent_.feet - place) > strays) continue;
+        state.velocity = aside * set_out;
+        if (!gets_over(link, state, island, nullptr)) return false;
+    }
+    return true;
+}
+
+bool LinkProof::gets_over(const NavigationLink& link, CharacterState state, std::uint32_t island,
+                          NavigationLink* record) {
     NavigationDrive driver{.up = up_, .feet = agent_.feet};
     std::uint32_t ticks = 0;
     for (;;) {
@@ -120,6 +139,7 @@ bool LinkProof::holds(NavigationLink& link, std::uint32_t island) {
     };
     if (options_.margins.along > 0 && (!shifted(along) || !shifted(-along))) return false;
     if (options_.margins.aside > 0 && (!still_holds(aside, aside, 1) || !still_holds(-aside, -aside, 1))) return false;
+    if (options_.margins.begin > 0 && !begins_beside(proven, forward, island)) return false;
     if (options_.margins.speed > 0 &&
         (!still_holds(none, none, 1 - options_.margins.speed) || !still_holds(none, none, 1 + options_.margins.speed)))
         return false;

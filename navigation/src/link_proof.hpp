@@ -21,6 +21,9 @@ public:
 
 private:
     [[nodiscard]] bool gets_over(const NavigationLink& link, std::uint32_t island, NavigationLink* record);
+    [[nodiscard]] bool gets_over(const NavigationLink& link, CharacterState state, std::uint32_t island,
+                                 NavigationLink* record);
+    [[nodiscard]] bool begins_beside(const NavigationLink& link, const dvec3& forward, std::uint32_t island);
     [[nodiscard]] bool is_forbidden(const CharacterState& state) const;
     [[nodiscard]] bool stands(CharacterState state, const dvec3& to, std::uint32_t island);
 

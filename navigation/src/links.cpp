@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <surefoot/navigation_query.hpp>
 
@@ -31,13 +32,25 @@ Expected<std::size_t> NavigationMesh::set_links(std::span<const NavigationLink> 
             if (query.nearest(link.from, aside, vertical) && query.nearest(link.to, aside, vertical))
                 kept.push_back(link);
     }
+    // What was taken out stays so, though its tile is put in anew.
+    const auto put = [&](const navigation::TileMesh& tile) -> Expected<void> {
+        dtNavMesh& detour = *state_->detour;
+        std::vector<std::uint16_t> flags;
+        if (const dtMeshTile* before = std::as_const(detour).getTileAt(tile.x, tile.z, 0))
+            for (int i = 0; i < before->header->offMeshBase; ++i) flags.push_back(before->polys[i].flags);
+        if (auto done = navigation::put_tile(*state_, tile); !done) return done;
+        const dtMeshTile* after = std::as_const(detour).getTileAt(tile.x, tile.z, 0);
+        if (after == nullptr) return {};
+        const dtPolyRef first = detour.getPolyRefBase(after);
+        for (std::size_t i = 0; i < flags.size(); ++i) detour.setPolyFlags(first | static_cast<dtPolyRef>(i), flags[i]);
+        return {};
+    };
     const std::size_t left_out = links.size() - kept.size();
     state_->links = std::move(kept);
     touch();
     for (std::size_t i = 0; i < touched.size(); ++i)
         if (touched[i])
-            if (auto put = navigation::put_tile(*state_, state_->tile_meshes[i]); !put)
-                return tl::unexpected(put.error());
+            if (auto done = put(state_->tile_meshes[i]); !done) return tl::unexpected(done.error());
     return left_out;
 }
 

@@ -233,9 +233,19 @@ std::optional<NavigationPath> NavigationQuery::finish_search() {
     return path;
 }
 
-std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from, const NavigationPoint& to) const {
+std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from, const NavigationPoint& to,
+                                                    std::span<const NavigationPolygon> without) const {
     NavigationQuery& self = const_cast<NavigationQuery&>(*this);
     if (!self.begin_search(from, to)) return std::nullopt;
+    // Detour's filter knows kinds of polygons only. To the search, one that is done with at no cost is not worth a
+    // look.
+    for (const NavigationPolygon polygon : without) {
+        if (polygon == from.polygon) continue;
+        dtNode* const node = state_->detour->getNodePool()->getNode(polygon.id);
+        if (node == nullptr) continue;
+        node->cost = node->total = 0;
+        node->flags = DT_NODE_CLOSED;
+    }
     while (self.advance_search(1024)) continue;
     return self.finish_search();
 }

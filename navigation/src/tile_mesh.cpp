@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "clearance.hpp"
 
@@ -53,6 +54,7 @@ struct Cells {
     int side = 0;  ///< of the tile with its border
     int height = 0;
     int climb = 0;
+    int bank = 0;  ///< what no ground rises by within half the agent's radius
     int radius = 0;
     float size = 0;
     float step = 0;
@@ -69,6 +71,9 @@ Cells cells_of(const Plan& plan, std::span<const GroundTriangle> ground, int til
     cells.height = static_cast<int>(std::ceil(plan.agent.height / plan.cell_height));
     // A step of just the height that is climbed is climbed; the hair is what floats lose on the way here.
     cells.climb = static_cast<int>(std::floor(plan.agent.climb / plan.cell_height + 1e-3));
+    const double steepest = std::tan(plan.agent.slope_limit_deg * std::numbers::pi / 180);
+    cells.bank =
+        std::max(cells.climb, static_cast<int>(std::ceil(steepest * plan.agent.radius / 2 / plan.cell_height)) + 1);
     cells.radius = static_cast<int>(std::ceil(plan.agent.radius / plan.cell_size - 1e-6));
     float low = plan.high;
     float high = plan.low;
@@ -190,6 +195,7 @@ Expected<TileMesh> build_tile(std::span<const GroundTriangle> ground, std::span<
     if (!solid || !rasterize(context, ground, cells, *solid)) return failed();
     const Ground compact(rcAllocCompactHeightfield());
     if (!compact || !rcBuildCompactHeightfield(&context, cells.height, cells.climb, *solid, *compact)) return failed();
+    bar_banks(*compact, cells.bank, plan.agent.radius / 2);
     keep_clear(*solid, *compact, cells.radius, cells.climb, cells.height);
     mark_regions(context, *compact, regions, plan.frame);
     if (!rcBuildDistanceField(&context, *compact) ||

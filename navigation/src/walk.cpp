@@ -61,6 +61,11 @@ WalkReport walk_path(const World& world, const CharacterSettings& settings, cons
     report.plans = follower.plans();
     report.links = follower.links();
     report.end = state.position - feet;
+    report.failed_links.assign(follower.failed_links().begin(), follower.failed_links().end());
+    report.last_polygon = follower.place().polygon;
+    const std::vector<NavigationPolygon>& way = follower.path().polygons;
+    const auto here = std::find(way.begin(), way.end(), report.last_polygon);
+    if (here != way.end() && here + 1 != way.end()) report.next_polygon = here[1];
     if (report.arrived) report.stuck.reset();
     return report;
 }

@@ -20,7 +20,7 @@ namespace [[gnu::visibility("default")]] surefoot {
 inline namespace v0 {
 
 /// The parts of a check, in their order.
-enum class NavigationCheckPart : std::uint8_t { build, links, flood, walks };
+enum class NavigationCheckPart : std::uint8_t { build, links, flood, rehearsal, walks };
 
 /// Any callable `void(NavigationCheckPart, std::size_t done, std::size_t all)`; as `NavigationProgress` otherwise.
 class NavigationCheckProgress {
@@ -51,10 +51,11 @@ struct NavigationCheckOptions {
     NavigationLinkOptions links{};
     NavigationFloodOptions flood{};
     WalkOptions walk{};
-    std::size_t walks = 1000;     ///< random paths
-    std::uint64_t seed = 1;       ///< of their ends: the same gives the same paths
-    double least_covered = 0.98;  ///< the share of what feet reach that the mesh has to know [0 to 1]
-    int threads = 2;              ///< for each of the parts [1 to 64]; the result is the same
+    std::size_t walks = 1000;      ///< random paths
+    std::uint64_t seed = 1;        ///< of their ends: the same gives the same paths
+    std::size_t rehearsals = 200;  ///< walks of a round of rehearsal; 0: there is none
+    double least_covered = 0.98;   ///< the share of what feet reach that the mesh has to know [0 to 1]
+    int threads = 2;               ///< for each of the parts [1 to 64]; the result is the same
     NavigationCheckProgress progress{};
 };
 
@@ -93,8 +94,16 @@ struct NavigationCheck {
 /// be got to; without any, a place of the largest piece of the mesh. None for a mesh without ground.
 [[nodiscard]] std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec3> places) noexcept;
 
+/// Walks random ways and takes away what they fail at, until a round of them has no failure or there were twelve. Their
+/// ends have seeds of their own, whatever `options.seed` is. Links that failed are dropped. Of the ground, what the
+/// feet could not get on to is taken out, but no more than a hundredth: a mesh that is wrong by more does not fit the
+/// feet, and nobody is helped by what would be left of it. `agreement`: that of `keep_reached`, which is kept up to
+/// date.
+void rehearse(NavigationMesh& mesh, const World& world, const CharacterSettings& settings, const NavigationFlood& flood,
+              const dvec3& start, const NavigationCheckOptions& options, NavigationAgreement& agreement);
+
 /// Links and flood for a mesh that was just built: sets its links and takes out what the feet do not reach from
-/// `start` or cannot come back from. This is the second half of `surefoot nav build`.
+/// `start` or cannot come back from; then it rehearses. This is the second half of `surefoot nav build`.
 NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, const CharacterSettings& settings,
                                   const dvec3& start, const NavigationCheckOptions& options,
                                   NavigationCheck* check = nullptr);

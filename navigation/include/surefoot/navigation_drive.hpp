@@ -22,6 +22,9 @@ enum class NavigationDriveStatus : std::uint8_t {
 struct NavigationDrive {
     dvec3 up{0, 1, 0};  ///< `NavigationMesh::up`
     double feet = 0.9;  ///< `NavigationAgent::feet`
+    /// Comes to rest where the link begins, as the simulated character did, before it sets out. Slower than to begin on
+    /// the run; for those whom the link has failed.
+    bool careful = false;
 
     NavigationDriveStatus status = NavigationDriveStatus::approaching;
     bool pressed = false;   ///< the jump of this link

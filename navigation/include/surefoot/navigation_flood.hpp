@@ -58,7 +58,11 @@ struct NavigationAgreement {
     double no_return = 0;          ///< area taken out since there is no way back to the first seed over the mesh [m^2]
     double flood = 0;              ///< area of the flood [m^2]
     double flood_covered = 0;      ///< that of its cells that the kept mesh covers, to within a cell [m^2]
-    std::vector<dvec3> missing{};  ///< some of the flood's cells that it does not cover
+    std::size_t rehearsed = 0;     ///< random walks that were rehearsed
+    std::size_t failed_links = 0;  ///< dropped, since they failed in a rehearsal
+    std::size_t failed_polygons = 0;  ///< taken out, since feet got stuck before them or on them
+    double failed_area = 0;           ///< of these polygons [m^2]
+    std::vector<dvec3> missing{};     ///< some of the flood's cells that it does not cover
 
     /// Share of what the feet reach that the mesh knows [0 to 1].
     [[nodiscard]] double covered() const noexcept { return flood > 0 ? flood_covered / flood : 0; }

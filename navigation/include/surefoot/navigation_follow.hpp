@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -125,6 +126,9 @@ public:
 
     /// Whether to wait before the next link, because somebody else is on it, instead of going over it.
     void hold(bool holds) noexcept { holds_ = holds; }
+    /// Of `NavigationMesh::links`, since it was sent: those that failed it twice, the second time with care. It takes
+    /// other ways, as long as there are any.
+    [[nodiscard]] std::span<const std::uint32_t> failed_links() const noexcept { return failed_; }
 
 private:
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
@@ -136,6 +140,8 @@ private:
     void move_along(const NavigationQuery& query);
     void watch(const CharacterState& state, double dt);
     void try_again(NavigationFollowReason reason) noexcept;
+    [[nodiscard]] std::optional<NavigationPath> find_path(const NavigationQuery& query, const NavigationPoint& from);
+    void fail_link();
     [[nodiscard]] CharacterInput walk(const NavigationQuery& query, const CharacterState& state,
                                       const CharacterSettings& settings, double dt);
     [[nodiscard]] CharacterInput drive_link(const NavigationQuery& query, const CharacterState& state,
@@ -168,6 +174,10 @@ private:
     NavigationLink link_;  ///< that is gone over; without its inputs
     NavigationDrive drive_{};
     std::uint32_t link_id_ = 0;
+    std::uint32_t link_number_ = 0;             ///< of `NavigationMesh::links`
+    std::vector<std::uint32_t> careful_{};      ///< links that failed once: they are tried again with care
+    std::vector<std::uint32_t> failed_{};       ///< links that failed with care, too,
+    std::vector<NavigationPolygon> avoided_{};  ///< and their polygons: no way goes over them
     bool drives_ = false;
     bool holds_ = false;
     bool wants_plan_ = false;

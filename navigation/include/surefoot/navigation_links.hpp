@@ -23,6 +23,9 @@ struct NavigationLinkMargins {
     double along = 0.2;   ///< jumps, or begins, so much early and so much late [m, >= 0]
     double aside = 0.25;  ///< runs so much farther left and right [times the agent's radius, >= 0]
     double speed = 0.1;   ///< runs so much slower and faster [share of the speed, 0 to 0.9]
+    /// Sets out so far to each side of where it begins, and on the move [m, 0 to 0.15: from farther away a driver comes
+    /// nearer first].
+    double begin = 0.14;
 };
 
 /// How to look for links. Every default is meant to be kept.

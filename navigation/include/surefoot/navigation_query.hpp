@@ -84,8 +84,9 @@ public:
     [[nodiscard]] std::optional<NavigationPoint> nearest(const dvec3& place, double aside, double vertical) const;
 
     /// The shortest way by area costs: A* over polygons, then the simple stupid funnel. None if a point is not on the
-    /// mesh.
-    [[nodiscard]] std::optional<NavigationPath> path(const NavigationPoint& from, const NavigationPoint& to) const;
+    /// mesh. It goes over none of `without`: polygons, or links as they stand in `NavigationPath::polygons`.
+    [[nodiscard]] std::optional<NavigationPath> path(const NavigationPoint& from, const NavigationPoint& to,
+                                                     std::span<const NavigationPolygon> without = {}) const;
 
     /// The same search, to be watched: begin, advance until there is nothing left to do, finish. Asking anything else
     /// in between ends it. `begin_search` says false if a point is not on the mesh.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <surefoot/character.hpp>
 #include <surefoot/character_settings.hpp>
@@ -39,6 +40,11 @@ struct WalkReport {
     std::size_t plans = 0;
     std::size_t links = 0;  ///< that were gone over
     dvec3 end{0, 0, 0};     ///< where the feet were in the end [m]
+
+    std::vector<std::uint32_t>
+        failed_links{};              ///< of `NavigationMesh::links`: failed it twice, the second time with care
+    NavigationPolygon last_polygon;  ///< on which it was last
+    NavigationPolygon next_polygon;  ///< beyond it, on the last plan; none at its end
 
     /// If it did not arrive: the last tick in which it wanted to go and something blocked it, else the last in which it
     /// wanted to go; none if it never did.
