@@ -87,6 +87,7 @@ surefoot::CharacterSettings with_body_of(const surefoot::CharacterSettings& sett
     if (form == surefoot::CharacterForm::crouched) take(settings.crouched);
     if (form == surefoot::CharacterForm::in_air) take(settings.in_air);
     if (form == surefoot::CharacterForm::on_ramp) take(settings.on_ramp);
+    if (form == surefoot::CharacterForm::on_ledge) take(settings.on_ledge);
     return one;
 }
 

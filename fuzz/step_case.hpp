@@ -192,7 +192,9 @@ private:
             const std::size_t which = bytes.take<std::uint8_t>() % numbers.size();
             settings.*numbers[which] = number(bytes);
         }
-        settings.air_jumps = bytes.take<std::uint8_t>();
+        const auto last = bytes.take<std::uint8_t>();
+        settings.air_jumps = last & 127U;
+        if ((last & 128) != 0) settings.on_ledge = bytes.volume(odd_);
     }
 
     void take_input(Bytes& bytes) {

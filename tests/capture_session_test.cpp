@@ -122,7 +122,7 @@ TEST(Session, AFileOfTheFirstFormHasNoNeighboursAndOneOfTheSecondHasThemInEachTi
     EXPECT_FALSE(parse_session(text).has_value());
     text.replace(text.find("\"surefoot_session\": 2"), 21, "\"surefoot_session\": 1");
     EXPECT_FALSE(parse_session(text).has_value()) << "firmness is new as well";
-    without(",\n    \"firmness\": \"hard\",\n    \"flat_foot\": false");
+    without(",\n    \"firmness\": \"hard\",\n    \"flat_foot\": false,\n    \"on_ledge\": null");
     const auto read = parse_session(text);
     ASSERT_TRUE(read.has_value()) << read.error().text;
     EXPECT_EQ(session_text(*read), newest) << "it is written in the newest form";

@@ -84,6 +84,7 @@ Any any_step(SplitMix& random, const Course& course) {
     }
     any.neighbours = any_neighbours(random, any.state.position);
     any.settings.flat_foot = random.next() % 2 == 0;
+    if (any.settings.flat_foot) any.settings.on_ledge = Ellipsoid{{0.3, 0.9, 0.3}};
     any.settings.firmness = random.next() % 2 == 0 ? Firmness::soft : Firmness::hard;
     return any;
 }
@@ -313,6 +314,18 @@ TEST(CaptureStep, AFileOfTheSecondFormIsAStepWithoutNeighbours) {
     EXPECT_TRUE(read->neighbours.empty());
     EXPECT_TRUE(replay(*read).is_same()) << replay(*read).differs;
     EXPECT_EQ(capture_text(*read), text) << "it is written in the newest form";
+}
+
+TEST(CaptureStep, AFileOfTheThirdFormWithoutABodyForEdgesIsAStepWithoutOne) {
+    const std::string newest = capture_text(a_meeting());
+    std::string text = newest;
+    const std::string field = ",\n      \"on_ledge\": null";
+    ASSERT_NE(text.find(field), std::string::npos);
+    text.erase(text.find(field), field.size());
+    const auto read = parse_step_capture(text);
+    ASSERT_TRUE(read.has_value()) << read.error().text;
+    EXPECT_TRUE(replay(*read).is_same()) << replay(*read).differs;
+    EXPECT_EQ(capture_text(*read), newest);
 }
 
 TEST(CaptureStep, WhatCameWithTheThirdFormIsInAllOfItsFilesAndInNoOlderOne) {

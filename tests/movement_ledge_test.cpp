@@ -94,5 +94,71 @@ TEST(MovementLedge, AWallOfAMetreIsVaultedByAPressOfJumpAndAHigherOneIsNot) {
     }
 }
 
+/// Hangs on an edge 5 m high, west of it.
+Actor hung_on(const World& world, const CharacterSettings& settings) {
+    Actor actor{.settings = settings};
+    actor.state.position = {1.4, 5.5, 0};
+    for (int i = 0; i < 120 && !actor.did(CharacterEvent::grabbed_ledge); ++i) actor.tick(world, {.wish = {0.5, 0, 0}});
+    EXPECT_TRUE(actor.did(CharacterEvent::grabbed_ledge));
+    actor.run(world, 0.5);
+    EXPECT_EQ(actor.state.footing, Footing::ledge);
+    return actor;
+}
+
+TEST(MovementLedge, WhoHangsHasItsBodyForEdgesAndGivesItBackWhenItStandsOrFalls) {
+    const World world = Scene().floor(-20, 20, -5, 5).block({2, 0, -5}, {9, 5, 5}).world();
+    for (const double width : {0.2, 0.4, 0.6}) {
+        CharacterSettings settings = climber().settings;
+        settings.on_ledge = Volume(Ellipsoid{{width, 0.8, width}});
+        Actor actor = hung_on(world, settings);
+        EXPECT_EQ(actor.state.form, CharacterForm::on_ledge) << width;
+        EXPECT_FALSE(actor.did(CharacterEvent::no_room)) << width;
+        EXPECT_NEAR(actor.state.position.y - 0.81 + settings.hands_height, 5, 0.03) << "the hands stay";
+        EXPECT_NEAR(actor.state.position.x, 2 - width, 0.05) << "beside the wall";
+        Actor falls = actor;
+        falls.run(world, 2, {.crouch = true});
+        EXPECT_TRUE(falls.on_ground()) << width;
+        EXPECT_EQ(falls.state.form, CharacterForm::standing) << width;
+        EXPECT_NEAR(falls.state.position.y, 0.91, 0.01) << width;
+        for (int i = 0; i < 180 && !actor.did(CharacterEvent::climbed_ledge); ++i) actor.tick(world, east);
+        EXPECT_EQ(actor.state.form, CharacterForm::on_ledge) << width;
+        actor.run(world, 0.5, east);
+        EXPECT_TRUE(actor.on_ground()) << width;
+        EXPECT_EQ(actor.state.form, CharacterForm::standing) << width;
+        EXPECT_NEAR(actor.state.position.y, 5.91, 0.01) << width;
+    }
+}
+
+TEST(MovementLedge, ABodyForEdgesThatHasNoRoomIsNotTaken) {
+    // Between the wall and one behind it there is room for 0.4 m of half width and not for 0.6.
+    const World world =
+        Scene().floor(-20, 20, -5, 5).block({2, 0, -5}, {9, 5, 5}).block({0, 0, -5}, {0.95, 9, 5}).world();
+    CharacterSettings settings = climber().settings;
+    settings.on_ledge = Volume(Ellipsoid{{0.6, 0.8, 0.6}});
+    const Actor actor = hung_on(world, settings);
+    EXPECT_EQ(actor.state.form, CharacterForm::standing);
+    EXPECT_TRUE(actor.did(CharacterEvent::no_room));
+    EXPECT_FALSE(actor.did(CharacterEvent::stuck));
+    EXPECT_FALSE(actor.did(CharacterEvent::recovered));
+}
+
+TEST(MovementLedge, WhoseBodyForEdgesWouldFitWhereItCannotStandHoldsTheEdgeAndDoesNotClimb) {
+    const World world =
+        Scene().floor(-20, 20, -5, 5).block({2, 0, -5}, {9, 5, 5}).block({2, 6.2, -5}, {9, 8, 5}).world();
+    CharacterSettings settings = climber().settings;
+    settings.on_ledge = Volume(Ellipsoid{{0.3, 0.5, 0.3}});
+    Actor actor = hung_on(world, settings);
+    EXPECT_EQ(actor.state.form, CharacterForm::on_ledge);
+    actor.run(world, 2, east);
+    EXPECT_EQ(actor.state.footing, Footing::ledge);
+    EXPECT_FALSE(actor.did(CharacterEvent::climbed_ledge));
+}
+
+TEST(MovementLedge, ABodyForEdgesThatIsNoneMakesTheSettingsInvalid) {
+    CharacterSettings settings = climber().settings;
+    settings.on_ledge = Volume(Ellipsoid{{0.3, -1, 0.3}});
+    EXPECT_FALSE(is_valid(settings));
+}
+
 }  // namespace
 }  // namespace surefoot::tests

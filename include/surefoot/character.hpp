@@ -33,7 +33,7 @@ enum class CharacterMode : std::uint8_t {
 };
 
 /// Which of its bodies a character has.
-enum class CharacterForm : std::uint8_t { standing, crouched, in_air, on_ramp };
+enum class CharacterForm : std::uint8_t { standing, crouched, in_air, on_ramp, on_ledge };
 
 /// What the player, or whoever steers, asks for in one tick.
 struct CharacterInput {

@@ -37,6 +37,7 @@ struct CharacterSettings {
     std::optional<Volume> crouched{};  ///< while `crouch` is held
     std::optional<Volume> in_air{};    ///< while nothing carries it
     std::optional<Volume> on_ramp{};   ///< on ground that is not level
+    std::optional<Volume> on_ledge{};  ///< while it hangs on an edge or climbs over it
 
     /// How far from everything the body is kept, along the normal of what it meets [m, 1e-6 to a quarter of the
     /// smallest dimension]. It is what rounding and badly cut floors are lost in: bumps of less than half of it are not

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <bit>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -119,12 +119,13 @@ inline void write_neighbours(Writer& w, const std::vector<Neighbour>& neighbours
 template <typename Struct>
 inline constexpr std::size_t newest_fields = 0;
 template <>
-inline constexpr std::size_t newest_fields<CharacterSettings> = 2;  // firmness, flat_foot
+inline constexpr std::size_t newest_fields<CharacterSettings> = 3;  // firmness, flat_foot, on_ledge
 
-/// Settings of the newest form have all of its fields, those of an older one none. Otherwise it fails.
-inline void check_newest_settings(JsonReader& in, std::size_t are_there, bool is_newest) {
-    check_newest(in, "firmness\" or \"flat_foot",
-                 is_newest ? are_there == newest_fields<CharacterSettings> : are_there > 0, is_newest);
+/// Settings of the newest form have its fields, those of an older one none. Otherwise it fails. `on_ledge` came last
+/// and may be missing; then there is no such body. `are_there`: a bit for each.
+inline void check_newest_settings(JsonReader& in, std::uint64_t are_there, bool is_newest) {
+    check_newest(in, "firmness\", \"flat_foot\" or \"on_ledge", is_newest ? (are_there & 3U) == 3U : are_there != 0,
+                 is_newest);
 }
 
 /// Reads objects that `write_fields` has written. Rules for surfaces are put into a list of the caller's.
@@ -134,9 +135,9 @@ public:
 
     FieldReader(JsonReader& in, std::vector<SurfaceRule>& surfaces) noexcept : in_(in), surfaces_(surfaces) {}
 
-    /// How many of the newest fields are there.
+    /// Which of the newest fields are there, a bit for each.
     template <typename Struct>
-    std::size_t read(Struct& to) {
+    std::uint64_t read(Struct& to) {
         std::array<std::string_view, 64> names;
         std::size_t count = 0;
         visit_fields(to, [&](const char* name, auto&) { names[count++] = name; });
@@ -147,7 +148,7 @@ public:
                 if (i++ == wanted) read_field(field);
             });
         });
-        return static_cast<std::size_t>(std::popcount(seen >> required));
+        return seen >> required;
     }
 
     /// Fails if `to` would get more than `most`.

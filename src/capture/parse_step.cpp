@@ -18,7 +18,7 @@ constexpr std::size_t most_kept_neighbours = std::size_t{1} << 16U;
 
 // What came with the newest form.
 struct Newest {
-    std::size_t settings = 0;
+    std::uint64_t settings = 0;  // a bit for each
     bool neighbours = false;
 };
 

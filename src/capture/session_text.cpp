@@ -46,7 +46,7 @@ public:
     Session read() {
         constexpr std::array<std::string_view, 9> names{"surefoot_session", "library", "abi",    "note", "level",
                                                         "settings",         "first",   "bodies", "ticks"};
-        std::size_t newest_settings = 0;
+        std::uint64_t newest_settings = 0;
         in_.object(names, names.size(), [&](std::size_t i) {
             if (i == 0) session_.origin.format = read_format(in_, first_session_form, session_form);
             if (i == 1) session_.origin.library = read_version(in_);

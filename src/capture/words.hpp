@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 2> firmness_words{"hard", "soft"};
 inline constexpr std::array<std::string_view, 2> slope_speed_words{"level", "along"};
 inline constexpr std::array<std::string_view, 4> footing_words{"air", "ground", "steep", "ledge"};
 inline constexpr std::array<std::string_view, 4> mode_words{"walk", "swim", "fly", "own"};
-inline constexpr std::array<std::string_view, 4> form_words{"standing", "crouched", "in_air", "on_ramp"};
+inline constexpr std::array<std::string_view, 5> form_words{"standing", "crouched", "in_air", "on_ramp", "on_ledge"};
 inline constexpr std::array<std::string_view, 3> hold_words{"none", "hanging", "climbing"};
 inline constexpr std::array<std::string_view, 31> act_words{
     "carried",      "recovered",    "wants",          "pass",       "touch",         "obeyed",       "passed_over",

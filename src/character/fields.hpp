@@ -57,6 +57,7 @@ void visit_fields(T& s, const Visit& visit) {
     visit("longest_tick", s.longest_tick);
     visit("firmness", s.firmness);
     visit("flat_foot", s.flat_foot);
+    visit("on_ledge", s.on_ledge);
 }
 
 template <Either<SurfaceRule> T, typename Visit>
@@ -140,7 +141,7 @@ void visit_fields(T& record, const Visit& visit) {
 }
 
 // Whoever adds a field here adds it above.
-static_assert(sizeof(CharacterSettings) == 560 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
+static_assert(sizeof(CharacterSettings) == 632 && sizeof(SurfaceRule) == 40 && sizeof(CharacterInput) == 80 &&
               sizeof(CharacterState) == 208 && sizeof(CharacterEvents) == 48 && sizeof(StepRecord) == 128 &&
               sizeof(Neighbour) == 128);
 

@@ -4,6 +4,7 @@
 
 #include "character/body.hpp"
 #include "character/tick.hpp"
+#include "exact/products.hpp"
 #include "world/ask.hpp"
 
 namespace surefoot::internal {
@@ -13,6 +14,7 @@ namespace {
 // The form that the situation asks for.
 CharacterForm wanted(const Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
+    if (tick.state.hold != Hold::none && settings.on_ledge) return CharacterForm::on_ledge;
     if (tick.input.crouch && settings.crouched) return CharacterForm::crouched;
     if (tick.state.footing != Footing::ground && settings.in_air) return CharacterForm::in_air;
     const bool is_ramp =
@@ -21,12 +23,19 @@ CharacterForm wanted(const Tick& tick) noexcept {
     return CharacterForm::standing;
 }
 
+// Away from the wall that it hangs or hung on, by `way`, as the body that it has can go.
+Vec away_from_wall(Tick& tick, double way) noexcept {
+    const Vec wall = unit(tick.level(to_vec(tick.state.wall_normal)));
+    return slide(tick.surroundings, tick.body, tick.gait, tick.position, wall * way, {}).position;
+}
+
 }  // namespace
 
 const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) noexcept {
     if (form == CharacterForm::crouched && settings.crouched) return *settings.crouched;
     if (form == CharacterForm::in_air && settings.in_air) return *settings.in_air;
     if (form == CharacterForm::on_ramp && settings.on_ramp) return *settings.on_ramp;
+    if (form == CharacterForm::on_ledge && settings.on_ledge) return *settings.on_ledge;
     return settings.volume;
 }
 
@@ -47,8 +56,16 @@ void change_form(Tick& tick) noexcept {
     if (form == tick.state.form) return;
     const Body body = body_of(volume_of(tick.settings, form), tick.settings.skin, tick.up);
     // The feet stay where they are.
-    const Vec position = tick.position + tick.up * (body.foot - tick.body.foot);
-    const bool room = has_room(tick, body, position);
+    const Vec raise = tick.up * (body.foot - tick.body.foot);
+    Vec position = tick.position + raise;
+    bool room = has_room(tick, body, position);
+    // Beside a wall a wider body has room farther from it, and hands reach it with a narrower one that is nearer.
+    const bool beside_wall = form == CharacterForm::on_ledge || tick.state.form == CharacterForm::on_ledge;
+    const double wider = body.half_width - tick.body.half_width;
+    if (!room && beside_wall && wider > 0) {
+        position = away_from_wall(tick, wider) + raise;
+        room = has_room(tick, body, position);
+    }
     tick.tell({.normal = to_dvec3(tick.up),
                .value = body.foot - tick.body.foot,
                .act = room ? StepAct::changed_form : StepAct::form_refused,
@@ -61,6 +78,7 @@ void change_form(Tick& tick) noexcept {
     tick.body = body;
     tick.surroundings.forget_body();
     tick.position = position;
+    if (form == CharacterForm::on_ledge && wider < 0) tick.position = away_from_wall(tick, wider);
 }
 
 }  // namespace surefoot::internal

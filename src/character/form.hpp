@@ -1,4 +1,4 @@
-// The bodies of one character: standing, crouched, in the air, on a ramp.
+// The bodies of one character: standing, crouched, in the air, on a ramp, on an edge.
 #pragma once
 
 #include <surefoot/character.hpp>

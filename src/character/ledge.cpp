@@ -77,10 +77,14 @@ private:
         const double width = tick_.body.half_width;
         const Vec off = ledge.wall * (width + tick_.gait.skin * 2);
         ledge.hang = face + off + tick_.up * (height - tick_.settings.hands_height + tick_.body.foot);
+        // A body for edges is not the one that stands there.
+        const Body stands = tick_.state.form == CharacterForm::on_ledge
+                                ? body_of(tick_.settings.volume, tick_.settings.skin, tick_.up)
+                                : tick_.body;
         const Vec above =
-            face - ledge.wall * (behind * width) + tick_.up * (height + tick_.body.foot + tick_.gait.skin);
+            face - ledge.wall * (behind * stands.half_width) + tick_.up * (height + stands.foot + tick_.gait.skin);
         ledge.stands = above;
-        ledge.has_room = has_room(tick_, tick_.body, above);
+        ledge.has_room = has_room(tick_, stands, above);
         if (!ledge.has_room) {
             tick_.tell({.point = to_dvec3(ledge.edge),
                         .triangle = ledge.triangle,

@@ -66,7 +66,8 @@ CharacterEvents merged(const CharacterEvents& first, const CharacterEvents& seco
 }  // namespace
 
 bool is_valid(const CharacterSettings& settings) noexcept {
-    for (const auto& volume : {std::optional(settings.volume), settings.crouched, settings.in_air, settings.on_ramp}) {
+    for (const auto& volume :
+         {std::optional(settings.volume), settings.crouched, settings.in_air, settings.on_ramp, settings.on_ledge}) {
         if (!volume) continue;
         if (!is_valid(*volume)) return false;
         if (!is_within(settings.skin, 1e-6, 0.25 * internal::smallest_of(volume->shape))) return false;

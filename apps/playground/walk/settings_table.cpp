@@ -13,6 +13,7 @@ constexpr SettingRow bodies[] = {
     {"crouched", &S::crouched, "m", 0.05, 3, "The body while crouch is held. None: it cannot crouch."},
     {"in_air", &S::in_air, "m", 0.05, 3, "The body while nothing carries it. None: the same as on the ground."},
     {"on_ramp", &S::on_ramp, "m", 0.05, 3, "The body on ground that is not level. None: the same everywhere."},
+    {"on_ledge", &S::on_ledge, "m", 0.05, 3, "The body while it hangs on an edge or climbs. None: no other."},
     {"skin", &S::skin, "m", 0.0005, 0.1,
      "How far it is kept from everything. Bumps below half of it are not felt; large: a gap that is seen."},
 };

@@ -29,6 +29,8 @@ const Volume& body_of(const CharacterSettings& settings, CharacterForm form) {
             return settings.in_air ? *settings.in_air : settings.volume;
         case CharacterForm::on_ramp:
             return settings.on_ramp ? *settings.on_ramp : settings.volume;
+        case CharacterForm::on_ledge:
+            return settings.on_ledge ? *settings.on_ledge : settings.volume;
         case CharacterForm::standing:
             break;
     }
