@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
-#include <thread>
 #include <unordered_set>
 
 #include <surefoot/navigation_check.hpp>
@@ -56,46 +53,6 @@ double area_of(const NavigationOutline& outline, const dvec3& up) {
     return std::abs(twice) / 2;
 }
 
-struct Walk {
-    NavigationPoint from;
-    NavigationPoint to;
-    WalkReport report;
-};
-
-std::vector<Walk> walk_all(const World& world, const CharacterSettings& settings, const NavigationMesh& mesh,
-                           const NavigationCheckOptions& options) {
-    std::vector<Walk> walks(options.walks);
-    {
-        const NavigationQuery query(mesh);
-        std::uint64_t seed = options.seed << 32;
-        for (Walk& walk : walks) {
-            const auto from = query.random(seed++);
-            const auto to = query.random(seed++);
-            if (!from || !to) return {};
-            walk.from = *from;
-            walk.to = *to;
-        }
-    }
-    std::atomic<std::size_t> next = 0;
-    std::mutex telling;
-    std::size_t done = 0;
-    const auto work = [&] {
-        const NavigationQuery query(mesh);
-        for (std::size_t i = next++; i < walks.size(); i = next++) {
-            walks[i].report =
-                walk_path(world, settings, query, walks[i].from.position, walks[i].to.position, options.walk);
-            const std::lock_guard lock(telling);
-            options.progress(NavigationCheckPart::walks, ++done, walks.size());
-        }
-    };
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
-    work();
-    helpers.clear();  // waits for them
-    return walks;
-}
-
-void count_walks(std::span<const Walk> walks, double speed, NavigationCheck& check) {
 void count_walks(std::span<const RandomWalk> walks, double speed, NavigationCheck& check) {
     check.walks = walks.size();
     for (const RandomWalk& walk : walks) {

@@ -323,7 +323,6 @@ bool NavigationFollower::begin_link(const NavigationQuery& query) {
     drive_ = {.up = query.mesh().up(), .feet = query.mesh().agent().feet};
     link_id_ = *point->link;
     drive_.careful = std::find(careful_.begin(), careful_.end(), *point->link) != careful_.end();
-    link_number_ = *point->link;
     drives_ = true;
     begin_ = (point + 1)->along;
     return true;
@@ -331,13 +330,13 @@ bool NavigationFollower::begin_link(const NavigationQuery& query) {
 
 void NavigationFollower::fail_link() {
     const auto holds = [&](const std::vector<std::uint32_t>& links) {
-        return std::find(links.begin(), links.end(), link_number_) != links.end();
+        return std::find(links.begin(), links.end(), link_id_) != links.end();
     };
-    if (!drive_.careful) careful_.push_back(link_number_);
+    if (!drive_.careful) careful_.push_back(link_id_);
     if (!drive_.careful || holds(failed_)) return try_again(Reason::link_failed);
-    failed_.push_back(link_number_);
+    failed_.push_back(link_id_);
     for (const NavigationCorner& corner : path_.corners)
-        if (corner.link == link_number_) avoided_.push_back(corner.polygon);
+        if (corner.link == link_id_) avoided_.push_back(corner.polygon);
     // The way without it may be longer, and has attempts of its own.
     least_left_ = std::numeric_limits<double>::infinity();
     tried_ = 0;

@@ -126,6 +126,7 @@ public:
 
     /// Whether to wait before the next link, because somebody else is on it, instead of going over it.
     void hold(bool holds) noexcept { holds_ = holds; }
+
     /// Of `NavigationMesh::links`, since it was sent: those that failed it twice, the second time with care. It takes
     /// other ways, as long as there are any.
     [[nodiscard]] std::span<const std::uint32_t> failed_links() const noexcept { return failed_; }
@@ -173,8 +174,7 @@ private:
     std::size_t links_ = 0;
     NavigationLink link_;  ///< that is gone over; without its inputs
     NavigationDrive drive_{};
-    std::uint32_t link_id_ = 0;
-    std::uint32_t link_number_ = 0;             ///< of `NavigationMesh::links`
+    std::uint32_t link_id_ = 0;                 ///< of `NavigationMesh::links`
     std::vector<std::uint32_t> careful_{};      ///< links that failed once: they are tried again with care
     std::vector<std::uint32_t> failed_{};       ///< links that failed with care, too,
     std::vector<NavigationPolygon> avoided_{};  ///< and their polygons: no way goes over them
