@@ -257,5 +257,19 @@ TEST(NavigationCheck, WhatIsTakenOutStaysSoWhateverLinksCome) {
     }
 }
 
+// Broken variant: it begins on whichever polygon comes first, which may be a niche that feet do not get back to.
+TEST(NavigationCheck, WithoutSpawnPointsItBeginsOnTheLargestPolygonOfTheLargestPiece) {
+    Bricks bricks;
+    bricks.box({-9, -1, -0.5F}, {-5, 0, 0.5F});  // a tongue, which comes first
+    bricks.box({-5, -1, -6}, {9, 0, 6});
+    World world;
+    ASSERT_TRUE(world.add(bricks.mesh()).has_value());
+    const auto mesh = NavigationMesh::build(world, {});
+    ASSERT_TRUE(mesh.has_value());
+    const auto begin = best_start(*mesh, {});
+    ASSERT_TRUE(begin.has_value());
+    EXPECT_GT(begin->x, -5);
+}
+
 }  // namespace
 }  // namespace surefoot
