@@ -106,15 +106,9 @@ std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec
     std::vector<NavigationOutline> outlines(mesh.report().polygons);
     outlines.resize(std::min(mesh.outlines(outlines), outlines.size()));
     // The largest first: of each piece that is the place that is the likeliest to be good ground.
-    const auto size = [&](const NavigationOutline& outline) {
-        dvec3 twice{0, 0, 0};
-        for (std::uint32_t i = 2; i < outline.corners; ++i)
-            twice +=
-                navigation::cross(outline.corner[i - 1] - outline.corner[0], outline.corner[i] - outline.corner[0]);
-        return std::abs(navigation::dot(mesh.up(), twice));
-    };
-    std::stable_sort(outlines.begin(), outlines.end(),
-                     [&](const NavigationOutline& a, const NavigationOutline& b) { return size(a) > size(b); });
+    std::stable_sort(outlines.begin(), outlines.end(), [&](const NavigationOutline& a, const NavigationOutline& b) {
+        return area_of(a, mesh.up()) > area_of(b, mesh.up());
+    });
     for (const NavigationOutline& outline : outlines) {
         dvec3 middle{0, 0, 0};
         for (std::uint32_t i = 0; i < outline.corners; ++i)
