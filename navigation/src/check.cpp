@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
 
 #include <surefoot/navigation_check.hpp>
 #include <surefoot/navigation_query.hpp>
 
-#include "frame.hpp"
+#include "mesh_state.hpp"
 #include "random_walks.hpp"
 
 namespace surefoot {
@@ -42,15 +41,6 @@ void count_links(const NavigationMesh& mesh, std::span<const NavigationLink> use
         if (query.nearest(link.from, aside, vertical) && query.nearest(link.to, aside, vertical))
             ++check.links_kept[static_cast<std::size_t>(link.kind)];
     }
-}
-
-/// Of a polygon seen from above [m^2].
-double area_of(const NavigationOutline& outline, const dvec3& up) {
-    double twice = 0;
-    for (std::uint32_t i = 2; i < outline.corners; ++i)
-        twice += navigation::dot(
-            up, navigation::cross(outline.corner[i - 1] - outline.corner[0], outline.corner[i] - outline.corner[0]));
-    return std::abs(twice) / 2;
 }
 
 void count_walks(std::span<const RandomWalk> walks, double speed, NavigationCheck& check) {
@@ -91,7 +81,7 @@ std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec
         double area = 0;
         for (const NavigationPolygon polygon : reached) {
             known.insert(polygon.id);
-            area += area_of(mesh.outline(polygon), mesh.up());
+            area += navigation::area_of(mesh.state(), polygon);
         }
         if (area <= most) return;
         most = area;
@@ -107,7 +97,7 @@ std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec
     outlines.resize(std::min(mesh.outlines(outlines), outlines.size()));
     // The largest first: of each piece that is the place that is the likeliest to be good ground.
     std::stable_sort(outlines.begin(), outlines.end(), [&](const NavigationOutline& a, const NavigationOutline& b) {
-        return area_of(a, mesh.up()) > area_of(b, mesh.up());
+        return navigation::area_of(mesh.state(), a.polygon) > navigation::area_of(mesh.state(), b.polygon);
     });
     for (const NavigationOutline& outline : outlines) {
         dvec3 middle{0, 0, 0};

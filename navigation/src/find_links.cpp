@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
 #include <surefoot/navigation_links.hpp>
 
 #include "link_ladders.hpp"
 #include "link_proof.hpp"
 #include "link_proposals.hpp"
+#include "threads.hpp"
 
 namespace surefoot {
 
@@ -74,10 +74,7 @@ std::vector<Found> find_all(const LinkGround& ground, const std::vector<LinkProp
             ground.options.progress(++done, found.size());
         }
     };
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < ground.options.threads && static_cast<std::size_t>(i) < found.size(); ++i)
-        helpers.emplace_back(work);
-    work();
+    on_threads(ground.options.threads, found.size(), work);
     return found;
 }
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
 #include <unordered_map>
 
 #include <surefoot/character.hpp>
 #include <surefoot/navigation_flood.hpp>
 
 #include "mesh_state.hpp"
+#include "threads.hpp"
 
 namespace surefoot {
 inline namespace v0 {
@@ -162,10 +162,7 @@ private:
                 }
             }
         };
-        std::vector<std::jthread> helpers;
-        for (int i = 1; i < options_.threads; ++i) helpers.emplace_back(work);
-        work();
-        helpers.clear();
+        navigation::on_threads(options_.threads, end - begin, work);
         flood_.moves += landings.size();
         return landings;
     }

@@ -70,6 +70,9 @@ enum class Connect : std::uint8_t { links, nothing };
 /// Of a polygon seen from above [m^2].
 [[nodiscard]] double area_of(const dtMeshTile& tile, const dtPoly& polygon);
 
+/// The same by its name; 0 if there is no such polygon.
+[[nodiscard]] double area_of(const MeshState& state, NavigationPolygon polygon);
+
 /// Why there is no ground in a region that requires some, if it does and there is none.
 [[nodiscard]] std::optional<Error> missing_ground(const MeshState& state, const NavigationRegion& region);
 

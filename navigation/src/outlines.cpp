@@ -75,6 +75,12 @@ double area_of(const dtMeshTile& tile, const dtPoly& polygon) {
     return std::abs(twice) / 2;
 }
 
+double area_of(const MeshState& state, NavigationPolygon polygon) {
+    const dtMeshTile* tile = nullptr;
+    const dtPoly* found = nullptr;
+    return dtStatusSucceed(state.detour->getTileAndPolyByRef(polygon.id, &tile, &found)) ? area_of(*tile, *found) : 0;
+}
+
 std::optional<Error> missing_ground(const MeshState& state, const NavigationRegion& region) {
     if (region.kind != NavigationRegion::Kind::require) return std::nullopt;
     bool found = false;

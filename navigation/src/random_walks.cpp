@@ -2,7 +2,8 @@
 
 #include <atomic>
 #include <mutex>
-#include <thread>
+
+#include "threads.hpp"
 
 namespace surefoot::navigation {
 
@@ -31,10 +32,7 @@ std::vector<RandomWalk> random_walks(const World& world, const CharacterSettings
             progress(++done, walks.size());
         }
     };
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
-    work();
-    helpers.clear();  // waits for them
+    on_threads(threads, walks.size(), work);
     return walks;
 }
 

@@ -16,14 +16,6 @@ constexpr std::size_t most_rounds = 12;
 /// Far from the seeds of any check.
 constexpr std::uint64_t first_seed = 0x9e3779b97f4a7c15;
 
-double area_in(const NavigationMesh& mesh, NavigationPolygon polygon) {
-    const dtMeshTile* tile = nullptr;
-    const dtPoly* found = nullptr;
-    const dtNavMesh& detour = *mesh.state().detour;
-    return dtStatusSucceed(detour.getTileAndPolyByRef(polygon.id, &tile, &found)) ? navigation::area_of(*tile, *found)
-                                                                                  : 0;
-}
-
 /// What a round of walks failed at.
 struct Failures {
     std::set<std::uint32_t> links;
@@ -39,8 +31,8 @@ Failures failures_of(const NavigationMesh& mesh, std::span<const RandomWalk> wal
         failures.links.insert(report.failed_links.begin(), report.failed_links.end());
         if (report.arrived || !report.failed_links.empty()) continue;
         // Of where it was and of what it wanted to get on to, the smaller is the likelier to be wrong.
-        const double here = area_in(mesh, report.last_polygon);
-        const double ahead = area_in(mesh, report.next_polygon);
+        const double here = navigation::area_of(mesh.state(), report.last_polygon);
+        const double ahead = navigation::area_of(mesh.state(), report.next_polygon);
         const NavigationPolygon out =
             ahead > 0 && (ahead <= here || !(here > 0)) ? report.next_polygon : report.last_polygon;
         if (out && std::find(failures.polygons.begin(), failures.polygons.end(), out) == failures.polygons.end())
@@ -54,7 +46,7 @@ double take_out_small(NavigationMesh& mesh, std::span<const NavigationPolygon> p
                       std::size_t& count) {
     double taken = 0;
     for (const NavigationPolygon& polygon : polygons) {
-        const double area = area_in(mesh, polygon);
+        const double area = navigation::area_of(mesh.state(), polygon);
         if (taken + area > left) continue;
         mesh.take_out(std::span(&polygon, 1));
         taken += area;

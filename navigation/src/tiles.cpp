@@ -4,7 +4,8 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <thread>
+
+#include "threads.hpp"
 
 namespace surefoot::navigation {
 namespace {
@@ -36,10 +37,7 @@ Expected<std::vector<TileMesh>> build_tiles(const World& world, const CharacterS
             options.progress(++done, places.size());
         }
     };
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < options.threads && static_cast<std::size_t>(i) < places.size(); ++i) helpers.emplace_back(work);
-    work();
-    helpers.clear();
+    on_threads(options.threads, places.size(), work);
 
     std::vector<TileMesh> tiles;
     for (std::optional<Expected<TileMesh>>& tile : built) {
