@@ -1,13 +1,17 @@
 // Writes a contact sheet: every pose of the hero, the enemies, what is collected. A picture to look at after a change.
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <surefoot/mesh.hpp>
 
+#include "platformer/hero/enemy.hpp"
 #include "platformer/hero/figure.hpp"
+#include "platformer/hero/particles.hpp"
+#include "platformer/hero/props.hpp"
 #include "view/contact_sheet.hpp"
 #include "view/display.hpp"
 #include "view/imgui_adapter.hpp"
@@ -23,6 +27,7 @@ struct Cell {
     double wide = 1.5;  // how much of the world is to be seen, upwards [m]
     dvec3 middle{0, 0.8, 0};
     double yaw = 0.55;  // from where; 0 sees its face
+    std::function<void(view::Renderer&)> draw{};
 };
 
 HeroPose posed(HeroAct act, const StanceMoment& moment) {
@@ -104,6 +109,71 @@ std::vector<Cell> hero_cells() {
     return cells;
 }
 
+Cell enemy(const char* caption, EnemyKind kind, EnemyMood mood, double mood_time, double stride, double yaw) {
+    EnemyPose pose = enemy_at(kind, {0, 0, 0}, 0, 1.0);
+    pose.mood = mood;
+    pose.mood_time = mood_time;
+    pose.stride = stride;
+    pose.alarm = mood == EnemyMood::attack ? 1 : 0;
+    if (kind == EnemyKind::jumper && mood == EnemyMood::attack) {
+        pose.on_ground = false;
+        pose.soles.y = 0.5;
+        pose.squash = 0.15;
+    }
+    Cell made{caption, {}, 2.2, {0, 0.85, 0}, yaw};
+    add_pieces(made.pieces, pose);
+    return made;
+}
+
+std::vector<Cell> enemy_cells() {
+    return {enemy("chaser, idle", EnemyKind::chaser, EnemyMood::idle, 1, 0.2, 0.6),
+            enemy("chaser, attacks", EnemyKind::chaser, EnemyMood::attack, 1, 0.5, 0.9),
+            enemy("chaser, stomped", EnemyKind::chaser, EnemyMood::stomped, 0.2, 0, 0.6),
+            enemy("patroller, idle", EnemyKind::patroller, EnemyMood::idle, 1, 0.2, 0.6),
+            enemy("patroller, notices", EnemyKind::patroller, EnemyMood::notice, 0.3, 0, 0.6),
+            enemy("patroller, attacks", EnemyKind::patroller, EnemyMood::attack, 1, 0.5, 0.9),
+            enemy("jumper, idle", EnemyKind::jumper, EnemyMood::idle, 1, 0, 0.6),
+            enemy("jumper, attacks", EnemyKind::jumper, EnemyMood::attack, 1, 0, 0.9),
+            enemy("jumper, notices", EnemyKind::jumper, EnemyMood::notice, 0.3, 0, 0.3),
+            enemy("shooter, idle", EnemyKind::shooter, EnemyMood::idle, 1, 0, 0.6),
+            enemy("shooter, attacks", EnemyKind::shooter, EnemyMood::attack, 1, 0, 0.9),
+            enemy("shooter, notices", EnemyKind::shooter, EnemyMood::notice, 0.3, 0, 0.3)};
+}
+
+std::vector<Cell> prop_cells() {
+    const PropMoment now{.clock = 0.25};
+    const auto prop = [](const char* caption, double wide, double middle, std::function<void(view::Renderer&)> draw) {
+        return Cell{caption, {}, wide, {0, middle, 0}, 0.5, std::move(draw)};
+    };
+    std::vector<Cell> cells;
+    cells.push_back(prop("coins", 1.9, 0.6, [now](view::Renderer& r) {
+        for (const double x : {-0.8, 0.0, 0.8}) draw_coin(r, {x, 0.6, 0}, now);
+    }));
+    cells.push_back(prop("star; found before", 1.6, 0.7, [now](view::Renderer& r) {
+        draw_star(r, {-0.6, 0.7, 0}, now);
+        draw_star(r, {0.7, 0.7, 0}, now, true);
+    }));
+    cells.push_back(prop("heart and key", 1.4, 0.6, [now](view::Renderer& r) {
+        draw_heart(r, {-0.5, 0.6, 0}, now);
+        draw_key(r, {0.5, 0.6, 0}, now, view::rgb(0xE0483E));
+    }));
+    cells.push_back(prop("checkpoint", 2.8, 1.2, [now](view::Renderer& r) {
+        draw_checkpoint(r, {-0.9, 0, 0}, now, 0);
+        draw_checkpoint(r, {0.7, 0, 0}, now, 1);
+    }));
+    cells.push_back(prop("goal", 3.4, 1.5, [now](view::Renderer& r) { draw_goal(r, {0, 0, 0}, now, 1.0); }));
+    cells.push_back(prop("bullets, dust, sparkles, splash", 2.4, 0.7, [](view::Renderer& r) {
+        draw_bullet(r, {-1.2, 1.3, 0}, {5, 0, 3}, 0.14);
+        Particles puffs(3);
+        puffs.land({-0.8, 0, 0.4}, 9);
+        puffs.sparkle({0.4, 1.0, 0}, view::rgb(0xFFD84A));
+        puffs.splash({1.2, 0.1, -0.4}, 6);
+        for (int i = 0; i < 10; ++i) puffs.advance(1.0 / 60);
+        puffs.draw(r, 1);
+    }));
+    return cells;
+}
+
 std::shared_ptr<view::Model> floor_model() {
     std::vector<vec3> vertices;
     std::vector<std::uint32_t> indices;
@@ -134,7 +204,9 @@ int run(const std::string& path) {
     view::Renderer renderer;
     const auto floor = floor_model();
     std::vector<view::CaptionedPicture> pictures;
-    for (const Cell& c : hero_cells()) {
+    std::vector<Cell> cells = hero_cells();
+    for (const auto& more : {enemy_cells(), prop_cells()}) cells.insert(cells.end(), more.begin(), more.end());
+    for (const Cell& c : cells) {
         view::FrameView frame;
         frame.size = frame.framebuffer = cell;
         const double distance = c.wide * 2.1;
@@ -145,6 +217,7 @@ int run(const std::string& path) {
         renderer.begin(frame);
         renderer.model(floor);
         for (const view::Piece& p : c.pieces) renderer.piece(p);
+        if (c.draw) c.draw(renderer);
         renderer.end((*display)->framebuffer());
         pictures.push_back({view::read_picture((*display)->framebuffer(), cell), c.caption});
     }
