@@ -75,6 +75,7 @@ struct CanvasItem {
 struct Layout {
     ivec2 framebuffer{800, 600};  ///< [pixels]
     double user_scale = 1;        ///< how much larger the user wants it [0.5 to 2]
+    double per_window_unit = 1;   ///< pixels, where the pointer is told in window units [> 0]
 
     [[nodiscard]] double pixels() const;  ///< of one unit
     [[nodiscard]] dvec2 size() const;     ///< of the window
