@@ -1,6 +1,7 @@
 #include "platformer/hud/hud.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -29,6 +30,7 @@ struct Painter {
     const HudView& hud;
     const Palette& palette;
     const HudLook& look;
+    Rect hero;
 
     [[nodiscard]] Fill ringed(Colour colour) const { return Fill(colour).edged(with_opacity(palette.ink, 0.9), 1.8); }
 
@@ -92,11 +94,15 @@ struct Painter {
                      .edge_width = 1.6});
     }
 
+    static constexpr double section_shown = 3.5;  // [s]
+    [[nodiscard]] bool shows_section() const {
+        return !hud.section.empty() && hud.section_age < section_shown && hero.low.y > 100;
+    }
+
     void section() const {
-        constexpr double shown = 3.5;
-        if (hud.section.empty() || !(hud.section_age < shown)) return;
+        if (!shows_section()) return;
         const double fade =
-            look.reduced_motion ? 1 : std::min({hud.section_age / 0.3, (shown - hud.section_age) / 0.6, 1.0});
+            look.reduced_motion ? 1 : std::min({hud.section_age / 0.3, (section_shown - hud.section_age) / 0.6, 1.0});
         canvas.fade(std::clamp(fade, 0.0, 1.0));
         canvas.text(
             hud.section, {canvas.size().x / 2, 88},
@@ -122,9 +128,9 @@ void Painter::prompt() const {
     if (hud.prompt.empty()) return;
     constexpr double size = 17;
     constexpr double row = 32;
-    const double widest = std::min(canvas.size().x - 2 * margin - 300, 560.0) > 300
-                              ? std::min(canvas.size().x - 2 * margin - 300, 560.0)
-                              : canvas.size().x - 2 * margin - 24;
+    // Beside the map where there is room for that, else as wide as the window.
+    const double beside = std::min(canvas.size().x - 2 * margin - 300, 560.0);
+    const double widest = beside > 300 ? beside : canvas.size().x - 2 * margin - 40;
     struct Piece {
         std::string_view text;
         bool is_key;
@@ -138,6 +144,9 @@ void Painter::prompt() const {
     const auto put = [&](std::string_view text, bool is_key) {
         const double wide = is_key ? key_cap_width(canvas, text, size) : canvas.width_of(text, {.size = size});
         if (pen.x > 0 && pen.x + wide > widest) pen = {0, pen.y + row};
+        // A full stop belongs to the key before it.
+        if (!is_key && pen.x > 0 && pieces.back().is_key && std::ispunct(static_cast<unsigned char>(text.front())) != 0)
+            pen.x -= space * 0.4;
         pieces.push_back({text, is_key, pen.x, pen.y});
         width = std::max(width, pen.x + wide);
         pen.x += wide + (is_key ? space * 0.6 : space);
@@ -155,8 +164,10 @@ void Painter::prompt() const {
         }
     }
     const double height = pen.y + row;
-    const dvec2 low((canvas.size().x - width) / 2, canvas.size().y - margin - 8 - height);
-    canvas.box({low - dvec2(18, 6), low + dvec2(width + 18, height + 6)}, 12, with_opacity(palette.ink, 0.78));
+    dvec2 low((canvas.size().x - width) / 2, canvas.size().y - margin - 8 - height);
+    const auto plate = [&] { return Rect{low - dvec2(18, 6), low + dvec2(width + 18, height + 6)}; };
+    if (plate().meets(hero)) low.y = 104;  // a camera close behind has him at the lower edge
+    canvas.box(plate(), 12, with_opacity(palette.ink, 0.78));
     for (const Piece& piece : pieces) {
         const dvec2 at = low + dvec2(piece.x, piece.y + row / 2);
         if (piece.is_key)
@@ -196,8 +207,11 @@ void Painter::markers(const Rect& map) const {
         // Not over the figures in the corners, nor over the map: inwards along the edge.
         if (at.y < 130 && at.x < 250) at.y = 130;
         if (at.y < 100 && at.x > size.x - 190) at.y = 100;
+        if (at.y < 130 && shows_section() && std::abs(at.x - size.x / 2) < 260) at.y = 130;
         if (map.grown(26).has(at)) at.y = map.low.y - 27;
         if (!hud.prompt.empty() && at.y > size.y - 110 && !map.grown(26).has(at)) at.y = size.y - 110;
+        if (const Rect aside = hero.grown(52); aside.has(at))
+            at.x = at.x < hero.middle().x ? aside.low.x : aside.high.x;
         const dvec2 way(std::sin(edge->turn), -std::cos(edge->turn));
         canvas.disc(at, 19, Fill(with_opacity(palette.ink, 0.75)).edged(colour, 2));
         canvas.sign(sign, at, 21, colour);
@@ -214,12 +228,11 @@ void Painter::markers(const Rect& map) const {
 void Painter::hurts() const {
     constexpr double shown = 1.2;
     const dvec2 size = canvas.size();
-    const Rect hero = hero_box(hud, size);
     const dvec2 middle = size / 2.0;
     // About the hero, but never wider than the window.
-    const double out =
-        std::max({middle.x - hero.low.x, hero.high.x - middle.x, middle.y - hero.low.y, hero.high.y - middle.y});
-    const double radius = std::clamp(out * 1.25, std::min(size.x, size.y) * 0.32, std::min(size.x, size.y) * 0.44);
+    const double corner = glm::length(glm::max(glm::abs(hero.low - middle), glm::abs(hero.high - middle)));
+    const double least = std::min(size.x, size.y);
+    const double radius = std::clamp(corner + 12, least * 0.32, least * 0.455);
     for (const HudHurt& hurt : hud.hurts) {
         if (!(hurt.age >= 0 && hurt.age < shown)) continue;
         const dvec3 to = hurt.from - hud.hero;
@@ -268,8 +281,8 @@ std::optional<EdgePlace> edge_place(const view::Camera& camera, const dvec3& pla
         const dvec2 at = out / (depth * tall) * half.y;
         if (std::abs(at.x) <= half.x && std::abs(at.y) <= half.y) return std::nullopt;
     } else {
-        // What is behind is below: one turns round for it, and it is not up in the sky.
-        out.y = std::max(out.y, glm::length(out) * 0.5);
+        // The farther behind, the farther below: one turns round for it, it is not in the sky.
+        out.y -= 2 * depth;
         if (!(glm::length(out) > 1e-9)) out = {0, 1};
     }
     const dvec2 room = half - by;
@@ -280,8 +293,8 @@ std::optional<EdgePlace> edge_place(const view::Camera& camera, const dvec3& pla
 
 void draw_hud(Canvas& canvas, const HudView& hud, const Plan* plan, const HudLook& look) {
     const Palette& palette = palette_for(look.colours);
-    const Painter paint{canvas, hud, palette, look};
     const dvec2 size = canvas.size();
+    const Painter paint{canvas, hud, palette, look, hero_box(hud, size)};
     const double side = 132;
     Rect map{size, size};
     if (plan != nullptr && look.minimap) map = view::anchored(size, {1, 1}, dvec2(side), margin);

@@ -27,7 +27,7 @@ double widest(ScreenId id) {
 double height_of(Entry::Kind kind) {
     switch (kind) {
         case Entry::Kind::card:
-            return 128;
+            return 122;
         case Entry::Kind::heading:
             return 30;
         case Entry::Kind::text:

@@ -133,7 +133,10 @@ void draw_foot(Canvas& canvas, const Screens& screens, const Menu& menu, const P
     x += draw_key_cap(canvas, pad ? "A" : "Enter", {x, size.y - 18}, 13) + 6;
     x += canvas.text("choose", {x, size.y - 13}, {.size = 13, .colour = palette.quiet}) + 18;
     x += draw_key_cap(canvas, pad ? "B" : "Escape", {x, size.y - 18}, 13) + 6;
-    canvas.text(menu.id == ScreenId::pause ? "go on" : "back", {x, size.y - 13}, {.size = 13, .colour = palette.quiet});
+    canvas.text(menu.id == ScreenId::pause   ? "go on"
+                : menu.id == ScreenId::title ? "quit"
+                                             : "back",
+                {x, size.y - 13}, {.size = 13, .colour = palette.quiet});
 }
 
 void draw_scroll_bar(Canvas& canvas, const Arrangement& all, double scroll, const Palette& palette) {
@@ -141,7 +144,7 @@ void draw_scroll_bar(Canvas& canvas, const Arrangement& all, double scroll, cons
     const double room = all.page.size().y;
     const double length = room * room / (room + all.highest_scroll);
     const double y = all.page.low.y + (room - length) * scroll / all.highest_scroll;
-    const double x = all.page.high.x + 4;
+    const double x = std::min(all.page.high.x + 4, canvas.size().x - 7);
     canvas.box({{x, all.page.low.y}, {x + 5, all.page.high.y}}, 2.5, with_opacity(palette.paper, 0.12));
     canvas.box({{x, y}, {x + 5, y + length}}, 2.5, with_opacity(palette.paper, 0.6));
 }
@@ -158,7 +161,7 @@ void draw_screens(Canvas& canvas, const Screens& screens, double seconds) {
     if (menu.id == ScreenId::win) draw_win(canvas, screens.won(), palette);
     if (menu.id == ScreenId::level && screens.level() < screens.levels().size())
         draw_level(canvas, screens.levels()[screens.level()], palette);
-    canvas.clip(all.page);
+    canvas.clip(all.page.grown(4));  // of what is in focus there is a frame
     const double pulse = screens.settings().reduced_motion ? 0 : std::sin(seconds * 4) * 0.5 + 0.5;
     for (std::size_t i = 0; i < menu.entries.size(); ++i) {
         if (!all.places[i].meets(all.page)) continue;
