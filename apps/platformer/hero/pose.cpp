@@ -110,7 +110,7 @@ void count_strides(HeroPose& pose, const CharacterState& after, double dt) {
 
 /// One hand stays where it holds the edge while the other goes ahead.
 double grip_offset(double shimmy, int side) {
-    const double turn = shimmy + (side == left ? 0 : 0.5);
+    const double turn = shimmy + (side == on_left ? 0 : 0.5);
     const double phase = turn - std::floor(turn);
     if (phase < 0.5) return 0.60 * (0.25 - phase);
     const double share = (phase - 0.5) * 2;
@@ -118,9 +118,10 @@ double grip_offset(double shimmy, int side) {
 }
 
 void hold_edge(HeroPose& pose, const CharacterState& after, const Frame& frame, double dt) {
-    for (const int side : {left, right}) {
+    for (const int side : {on_left, on_right}) {
         dvec3 grip = frame.to_local(after.ledge_point);
-        grip.x += (side == left ? 0.20 : -0.20) + (pose.act == HeroAct::hang ? grip_offset(pose.shimmy, side) * 0.4 : 0);
+        grip.x +=
+            (side == on_left ? 0.20 : -0.20) + (pose.act == HeroAct::hang ? grip_offset(pose.shimmy, side) * 0.4 : 0);
         grip.y += 0.02;
         grip.z += 0.04;
         const dvec3 reach = grip - dvec3(0, 0.9, 0);
@@ -148,8 +149,8 @@ void place_feet(HeroPose& pose, const HeroPose& last, const CharacterState& afte
         const dvec3 carried = after.footing == Footing::air ? dvec3(0) : after.ground_velocity * dt;
         const double wide = pose.act == HeroAct::crouch ? 0.17 : 0.13;
         const dvec3 normal = after.footing == Footing::air ? dvec3(0, 1, 0) : after.ground_normal;
-        pose.feet = advance(last.feet,
-                            {pose.soles, carried, normal, pose.facing, after.velocity, pose.stride, wide}, dt);
+        pose.feet =
+            advance(last.feet, {pose.soles, carried, normal, pose.facing, after.velocity, pose.stride, wide}, dt);
         for (std::size_t i = 0; i < 2; ++i) {
             pose.stance.feet[i] = frame.to_local(pose.feet[i].at);
             pose.stance.toes[i] = pose.feet[i].toes;
@@ -215,8 +216,7 @@ HeroPose advance(const HeroPose& last, const CharacterState& before, const Chara
     const bool may_flip = pose.act == HeroAct::jump || pose.act == HeroAct::fall;
     pose.flip = may_flip ? std::max(pose.flip - dt * (4 + 2.2 * pose.flip), 0.0) : 0;
     const Frame frame = standing_frame(pose);
-    if (pose.act == HeroAct::wall_slide)
-        pose.wall_side = glm::dot(frame.axes[0], after.wall_normal) < 0 ? 1 : -1;
+    if (pose.act == HeroAct::wall_slide) pose.wall_side = glm::dot(frame.axes[0], after.wall_normal) < 0 ? 1 : -1;
     const double speed = pose.act == HeroAct::swim ? glm::length(after.velocity) : glm::length(flat(after.velocity));
     const Stance wanted = stance_of(pose.act, {pose.act_time, pose.clock, pose.stride, speed, after.velocity.y,
                                                pose.wall_side, pose.reduced_motion});

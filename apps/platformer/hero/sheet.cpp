@@ -42,8 +42,15 @@ HeroPose posed(HeroAct act, const StanceMoment& moment) {
         const double speed = moment.speed;
         for (int i = 0; i < 240; ++i) {
             const double left_to_go = (239 - i) / 60.0;
-            feet = advance(feet, {{0, 0, -left_to_go * speed}, {0, 0, 0}, {0, 1, 0}, 0, {0, 0, speed},
-                                  moment.stride - left_to_go * speed / stride_length(speed), 0.13}, 1.0 / 60);
+            feet = advance(feet,
+                           {{0, 0, -left_to_go * speed},
+                            {0, 0, 0},
+                            {0, 1, 0},
+                            0,
+                            {0, 0, speed},
+                            moment.stride - left_to_go * speed / stride_length(speed),
+                            0.13},
+                           1.0 / 60);
         }
         pose.feet = feet;
         pose.lean_forward = 0.05 * std::min(speed, 6.5) / 6.5;
@@ -54,10 +61,12 @@ HeroPose posed(HeroAct act, const StanceMoment& moment) {
     const dvec3 velocity(0, moment.rise, act == HeroAct::wall_slide ? 0 : moment.speed);
     Scarf scarf = hanging_scarf({0, 0.9, -0.16}, {0, 0, -1});
     const Frame frame = standing_frame(pose);
-    const dvec3 knot = frame.at(pose.stance.body + pose.stance.head * 0.7 + pitched(pose.stance.pitch) * dvec3(0, 0.27, -0.17));
+    const dvec3 knot =
+        frame.at(pose.stance.body + pose.stance.head * 0.7 + pitched(pose.stance.pitch) * dvec3(0, 0.27, -0.17));
     for (int i = 0; i < 120; ++i) {
         const dvec3 off = velocity * ((i - 119) / 60.0);
-        scarf = advance(scarf, knot + off, pose.stance.body + off, 0.27, -10, act == HeroAct::swim ? 7 : 2.6, i / 60.0, 1.0 / 60);
+        scarf = advance(scarf, knot + off, pose.stance.body + off, 0.27, -10, act == HeroAct::swim ? 7 : 2.6, i / 60.0,
+                        1.0 / 60);
     }
     pose.scarf = scarf;
     return pose;

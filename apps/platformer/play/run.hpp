@@ -26,9 +26,9 @@ public:
     struct Plan {
         std::shared_ptr<const game::Level> level;
         std::string player = "player";
-        std::optional<game::Recording> ghost;    ///< runs beside it
-        std::optional<game::Recording> watched;  ///< plays instead of the player
-        Pilot pilot;                             ///< likewise
+        std::optional<game::Recording> ghost{};    ///< runs beside it
+        std::optional<game::Recording> watched{};  ///< plays instead of the player
+        Pilot pilot{};                             ///< likewise
     };
 
     /// Fails as `Game::start` does.

@@ -29,7 +29,7 @@ struct TheatreOptions {
     std::string progress;                    ///< likewise
     std::string recordings;                  ///< its folder; likewise
     bool headless = false;                   ///< no device for sound, levels are read at once
-    Pilot pilot;                             ///< plays instead of the player
+    Pilot pilot{};                           ///< plays instead of the player
 };
 
 /// Where the user's files are; all empty if the environment names no folder.

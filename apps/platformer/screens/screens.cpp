@@ -121,9 +121,9 @@ void Screens::obey(Intent intent) {
         case Intent::down:
             move_rows(now, 1);
             break;
-        case Intent::left:
-        case Intent::right: {
-            const int direction = intent == Intent::left ? -1 : 1;
+        case Intent::leftwards:
+        case Intent::rightwards: {
+            const int direction = intent == Intent::leftwards ? -1 : 1;
             if (entry.is_adjusted()) {
                 change(entry, direction);
             } else if (now.columns > 1) {

@@ -84,7 +84,7 @@ public:
     void say(std::string notice);
 
 private:
-    enum class Intent : std::uint8_t { none, up, down, left, right, accept, back, clear, next, previous };
+    enum class Intent : std::uint8_t { none, up, down, leftwards, rightwards, accept, back, clear, next, previous };
     struct Open {
         ScreenId id = ScreenId::title;
         std::size_t focus = 0;

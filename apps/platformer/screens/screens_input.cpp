@@ -83,10 +83,10 @@ Screens::Intent Screens::intent_of(const view::InputEvent& event) {
                 return Intent::down;
             case Key::left:
             case Key::a:
-                return Intent::left;
+                return Intent::leftwards;
             case Key::right:
             case Key::d:
-                return Intent::right;
+                return Intent::rightwards;
             case Key::tab:
                 return key->held.shift ? Intent::previous : Intent::next;
             case Key::enter:
@@ -109,9 +109,9 @@ Screens::Intent Screens::intent_of(const view::InputEvent& event) {
             case PadButton::down:
                 return Intent::down;
             case PadButton::left:
-                return Intent::left;
+                return Intent::leftwards;
             case PadButton::right:
-                return Intent::right;
+                return Intent::rightwards;
             case PadButton::a:
                 return Intent::accept;
             case PadButton::b:
@@ -141,7 +141,7 @@ Screens::Intent Screens::stick_intent() {
     const double reach = std::max(std::abs(stick_.x), std::abs(stick_.y));
     if (reach < 0.35) stick_way_ = Intent::none;
     if (reach < 0.6) return Intent::none;
-    const Intent way = std::abs(stick_.x) > std::abs(stick_.y) ? (stick_.x > 0 ? Intent::right : Intent::left)
+    const Intent way = std::abs(stick_.x) > std::abs(stick_.y) ? (stick_.x > 0 ? Intent::rightwards : Intent::leftwards)
                                                                : (stick_.y > 0 ? Intent::down : Intent::up);
     if (way == stick_way_) return Intent::none;
     stick_way_ = way;
