@@ -91,7 +91,7 @@ void main() {
         vec2 at = local / half_size * 0.5 + 0.5;
         d = (128.0 / 255.0 - texture(letters, mix(a.xy, a.zw, at)).r) * b.x;
     } else if (b.w == 1.0) {
-        d = arc(local);
+        d = arc(local - b.xy);
     } else if (b.w == 2.0) {
         d = max(max(dot(sides[0], at3), dot(sides[1], at3)), dot(sides[2], at3)) - b.z;
     } else {

@@ -75,7 +75,8 @@ TEST(EdgeMarkers, stand_on_the_frame_for_every_place_out_of_sight) {
 bool covers(const Canvas& canvas, const CanvasItem& item, const view::Rect& box) {
     if (item.b.w != static_cast<float>(CanvasItem::Kind::arc)) return canvas.bounds_of(item).meets(box);
     const double unit = canvas.layout().pixels();
-    const dvec2 middle = dvec2(item.middle) / unit;
+    const dvec2 back = dvec2(-item.turn_and_widths.y, item.turn_and_widths.x) * double(item.b.y);
+    const dvec2 middle = (dvec2(item.middle) + back) / unit;
     const double inner = (item.a.x - item.a.y - item.turn_and_widths.z) / unit;
     double farthest = 0;
     for (const dvec2 corner : {box.low, box.high, dvec2(box.low.x, box.high.y), dvec2(box.high.x, box.low.y)})
