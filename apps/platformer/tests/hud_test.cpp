@@ -51,6 +51,8 @@ TEST(EdgeMarkers, stand_at_the_side_where_one_has_to_turn) {
     EXPECT_NEAR(left.value().at.x, 50, 1e-9);
     const auto behind = edge_place(hud.camera, {0, 2, 90}, {800, 600}, 50);
     EXPECT_NEAR(behind.value().at.y, 550, 1e-9);
+    const auto behind_and_higher = edge_place(hud.camera, {0, 20, 40}, {800, 600}, 50);
+    EXPECT_NEAR(behind_and_higher.value().at.y, 550, 1e-9) << "one turns round for it, it is not in the sky";
     const auto above = edge_place(hud.camera, {0, 60, -9}, {800, 600}, 50);
     EXPECT_NEAR(above.value().at.y, 50, 1e-9);
     EXPECT_FALSE(edge_place(hud.camera, {std::nan(""), 0, 0}, {800, 600}, 50));
