@@ -81,7 +81,14 @@ void Canvas::arc(const dvec2& middle, double radius, double width, double angle,
     const double half_sweep = std::clamp(sweep / 2, 0.0, std::numbers::pi);
     if (!(radius > 0 && half_sweep > 0)) return;
     const glm::vec4 a(radius * pixels_, width / 2 * pixels_, std::sin(half_sweep), std::cos(half_sweep));
-    add(CanvasItem::Kind::arc, middle, dvec2(radius + width / 2), {std::cos(angle), std::sin(angle)}, fill, a, {});
+    // No more than the part that is seen: a short arc of a wide ring is no reason to look at all that is within.
+    const dvec2 turn(std::cos(angle), std::sin(angle));
+    const double across = (half_sweep < std::numbers::pi / 2 ? radius * std::sin(half_sweep) : radius) + width / 2;
+    const double top = -radius - width / 2;
+    const double bottom = -radius * std::cos(half_sweep) + width / 2;
+    const double ahead = (top + bottom) / 2;
+    add(CanvasItem::Kind::arc, middle + dvec2(-turn.y, turn.x) * ahead, {across, (bottom - top) / 2}, turn, fill, a,
+        {0, static_cast<float>(-ahead * pixels_), 0, 0});
 }
 
 void Canvas::progress(const dvec2& middle, double radius, double width, double share, const Fill& fill) {

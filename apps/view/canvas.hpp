@@ -64,7 +64,8 @@ struct CanvasItem {
     glm::vec4 turn_and_widths;  ///< cosine, sine, edge, softness
     glm::vec4 a;                ///< arc: radius, half width, sine and cosine of half of it; triangle: two corners;
                                 ///< glyph: texels from and to; picture: middle and half size in it
-    glm::vec4 b;  ///< triangle: third corner; glyph: reach; picture: its turn; then radius of corners, kind
+    glm::vec4 b;  ///< arc: the ring's middle from ours; triangle: third corner; glyph: reach; picture: its
+                  ///< turn; then radius of corners, kind
     glm::vec4 clip;
     Colour top;
     Colour bottom;

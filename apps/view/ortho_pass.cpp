@@ -25,6 +25,14 @@ flat out vec4 bottom;
 flat out vec4 edge;
 flat out vec2 half_size;
 flat out vec2 widths;
+flat out mat3 sides;  // of a triangle: outward normal, and minus how far it is
+
+vec3 side(vec2 from, vec2 to, vec2 opposite) {
+    vec2 along = to - from;
+    vec2 normal = vec2(along.y, -along.x) / max(length(along), 1e-6);
+    if (dot(normal, opposite - from) > 0.0) normal = -normal;
+    return vec3(normal, -dot(normal, from));
+}
 void main() {
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     // Room for what is outside of the outline; the field of a glyph has its own.
@@ -42,11 +50,13 @@ void main() {
     edge = shape_edge;
     half_size = place.zw;
     widths = turn_and_widths.zw;
+    sides = mat3(side(a.xy, a.zw, b.xy), side(a.zw, b.xy, a.xy), side(b.xy, a.xy, a.zw));
 }
 )";
 
 // Distances to outlines after the well-known closed forms: a box with round corners is the box of the corners' middles,
-// grown; of an arc one end or the ring is nearer; of a triangle the nearest of its sides.
+// grown; of an arc one end or the ring is nearer; of a triangle the farthest of its sides' lines, which is right inside
+// and mitres the outline: software renderers compute all of this for every pixel, so it has to be little.
 constexpr std::string_view fragment = R"(
 in vec2 local;
 in vec2 page;
@@ -58,6 +68,7 @@ flat in vec4 bottom;
 flat in vec4 edge;
 flat in vec2 half_size;
 flat in vec2 widths;
+flat in mat3 sides;
 uniform sampler2D letters;
 uniform sampler2D picture;
 out vec4 colour;
@@ -71,33 +82,18 @@ float arc(vec2 p) {
     bool is_at_end = p.x * a.w > p.y * a.z;
     return (is_at_end ? length(p - a.zw * a.x) : abs(length(p) - a.x)) - a.y;
 }
-float side(vec2 p, vec2 from, vec2 to, inout float inside) {
-    vec2 along = to - from;
-    vec2 q = p - from;
-    inside = min(inside, along.x * q.y - along.y * q.x);
-    return length(q - along * clamp(dot(q, along) / max(dot(along, along), 1e-6), 0.0, 1.0));
-}
-float triangle(vec2 p) {
-    vec2 first = a.zw - a.xy;
-    vec2 second = b.xy - a.xy;
-    bool is_right = first.x * second.y - first.y * second.x > 0.0;
-    vec2 p1 = is_right ? a.zw : b.xy;
-    vec2 p2 = is_right ? b.xy : a.zw;
-    float inside = 1e9;
-    float d = min(side(p, a.xy, p1, inside), min(side(p, p1, p2, inside), side(p, p2, a.xy, inside)));
-    return (inside > 0.0 ? -d : d) - b.z;
-}
 void main() {
     if (any(lessThan(page, clip.xy)) || any(greaterThan(page, clip.zw))) discard;
     vec4 fill = mix(top, bottom, clamp(local.y / half_size.y * 0.5 + 0.5, 0.0, 1.0));
+    vec3 at3 = vec3(local, 1.0);
     float d;
     if (b.w == 3.0) {
         vec2 at = local / half_size * 0.5 + 0.5;
         d = (128.0 / 255.0 - texture(letters, mix(a.xy, a.zw, at)).r) * b.x;
     } else if (b.w == 1.0) {
-        d = arc(local);
+        d = arc(local - b.xy);
     } else if (b.w == 2.0) {
-        d = triangle(local);
+        d = max(max(dot(sides[0], at3), dot(sides[1], at3)), dot(sides[2], at3)) - b.z;
     } else {
         d = box(local, half_size, b.z);
         if (b.w == 4.0) {

@@ -51,6 +51,8 @@ TEST(EdgeMarkers, stand_at_the_side_where_one_has_to_turn) {
     EXPECT_NEAR(left.value().at.x, 50, 1e-9);
     const auto behind = edge_place(hud.camera, {0, 2, 90}, {800, 600}, 50);
     EXPECT_NEAR(behind.value().at.y, 550, 1e-9);
+    const auto behind_and_higher = edge_place(hud.camera, {0, 20, 40}, {800, 600}, 50);
+    EXPECT_NEAR(behind_and_higher.value().at.y, 550, 1e-9) << "one turns round for it, it is not in the sky";
     const auto above = edge_place(hud.camera, {0, 60, -9}, {800, 600}, 50);
     EXPECT_NEAR(above.value().at.y, 50, 1e-9);
     EXPECT_FALSE(edge_place(hud.camera, {std::nan(""), 0, 0}, {800, 600}, 50));
@@ -75,7 +77,8 @@ TEST(EdgeMarkers, stand_on_the_frame_for_every_place_out_of_sight) {
 bool covers(const Canvas& canvas, const CanvasItem& item, const view::Rect& box) {
     if (item.b.w != static_cast<float>(CanvasItem::Kind::arc)) return canvas.bounds_of(item).meets(box);
     const double unit = canvas.layout().pixels();
-    const dvec2 middle = dvec2(item.middle) / unit;
+    const dvec2 back = dvec2(-item.turn_and_widths.y, item.turn_and_widths.x) * double(item.b.y);
+    const dvec2 middle = (dvec2(item.middle) + back) / unit;
     const double inner = (item.a.x - item.a.y - item.turn_and_widths.z) / unit;
     double farthest = 0;
     for (const dvec2 corner : {box.low, box.high, dvec2(box.low.x, box.high.y), dvec2(box.high.x, box.low.y)})

@@ -338,7 +338,7 @@ view::InputEvent random_event(std::mt19937& random) {
     }
 }
 
-TEST(Screens, hours_of_pressing_everything_never_end_where_there_is_no_way_out) {
+TEST(Screens, half_an_hour_of_pressing_everything_never_ends_where_there_is_no_way_out) {
     std::mt19937 random(7);
     Screens screens = with_levels();
     std::set<ScreenId> seen;
