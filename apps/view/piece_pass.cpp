@@ -20,10 +20,14 @@ const void* offset(std::size_t bytes) {
 
 ShapeMesh unit_mesh(Solid solid, int around) {
     switch (solid) {
-        case Solid::ball: return mesh_of(Sphere{1}, around);
-        case Solid::drum: return mesh_of(Cylinder{1, 1}, around);
-        case Solid::cube: return mesh_of(Box{{1, 1, 1}}, around);
-        case Solid::cone: break;
+        case Solid::ball:
+            return mesh_of(Sphere{1}, around);
+        case Solid::drum:
+            return mesh_of(Cylinder{1, 1}, around);
+        case Solid::cube:
+            return mesh_of(Box{{1, 1, 1}}, around);
+        case Solid::cone:
+            break;
     }
     // The library's cone stands on its tip: half a turn about X puts it right.
     ShapeMesh mesh = mesh_of(Cone{1, 1}, around);
@@ -48,9 +52,9 @@ PiecePass::PiecePass()
     : depth_("piece depth", shaders::piece_depth_vertex, shaders::depth_fragment), instances_(gl::Buffer::make()) {
     const std::string light = std::string(shaders::light) + std::string(shaders::piece_light);
     for (const int shadows : {0, 1})
-        lit_[shadows] = gl::Program("piece", light + std::string(shaders::piece_vertex),
-                                    light + std::string(shaders::piece_fragment),
-                                    shadows != 0 ? "#define SHADOWS\n" : "");
+        lit_[shadows] =
+            gl::Program("piece", light + std::string(shaders::piece_vertex),
+                        light + std::string(shaders::piece_fragment), shadows != 0 ? "#define SHADOWS\n" : "");
     for (std::size_t i = 0; i < meshes_.size(); ++i)
         meshes_[i] = make_mesh(static_cast<Solid>(i / detail_count), i % detail_count);
 }

@@ -38,8 +38,8 @@ EnemyPose advance(const EnemyPose& last, const EnemySight& sight, bool reduced_m
         facing = std::atan2(sight.velocity.x, sight.velocity.z);
     }
     if (sight.mood != EnemyMood::stomped)
-        pose.facing = std::remainder(last.facing + turn_between(last.facing, facing) * eased(9, dt),
-                                     2 * std::numbers::pi);
+        pose.facing =
+            std::remainder(last.facing + turn_between(last.facing, facing) * eased(9, dt), 2 * std::numbers::pi);
     const double pitch = alert && level > 0.1 ? std::clamp(std::atan2(to_hero.y, level), -0.7, 0.9) : 0;
     pose.pitch += (pitch - pose.pitch) * eased(8, dt);
     pose.alarm += ((sight.mood == EnemyMood::attack ? 1 : 0) - pose.alarm) * eased(7, dt);

@@ -1,5 +1,5 @@
-/// The drawn enemies: four kinds, each told apart by its outline and its colour, each with what it is about to do in its
-/// bearing.
+/// The drawn enemies: four kinds, each told apart by its outline and its colour, each with what it is about to do in
+/// its bearing.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,9 @@ struct EnemyPose {
     double stride = 0;     ///< how far it walked [m]
     double squash = 0;     ///< how much taller than usual
     double squash_speed = 0;
-    double alarm = 0;     ///< how much its bearing says that it attacks [0 to 1]
+    double alarm = 0;         ///< how much its bearing says that it attacks [0 to 1]
     double since_fire = 1e9;  ///< [s]
-    double pitch = 0;     ///< how high it aims [rad]
+    double pitch = 0;         ///< how high it aims [rad]
     bool on_ground = true;
     bool reduced_motion = false;
 };

@@ -53,8 +53,8 @@ void Builder::eye(const Frame& frame, const dvec3& at, double size, double frown
     add(frame, at + dvec3(-side * size * 0.15, -size * 0.05, size * 0.48), dvec3(size * 0.5, size * 0.6, size * 0.35),
         dark);
     if (frown > 0.05)
-        add(frame, at + dvec3(0, size * (1.25 - 0.55 * frown), size * 0.25), dvec3(size * 1.15, size * 0.32, size * 0.7),
-            dark, Solid::ball, rolled(side * 0.45 * frown));
+        add(frame, at + dvec3(0, size * (1.25 - 0.55 * frown), size * 0.25),
+            dvec3(size * 1.15, size * 0.32, size * 0.7), dark, Solid::ball, rolled(side * 0.45 * frown));
 }
 
 void Builder::chaser(const Frame& root) {
@@ -75,8 +75,8 @@ void Builder::chaser(const Frame& root) {
             turned(-side * bite) * pitched(1.5));
         const double wave = 0.15 * std::sin(p_.clock * 5 + side);
         add(head, {side * 0.12, 0.17, 0.02}, {0.018, 0.20, 0.018}, dark, Solid::cone, rolled(side * (0.5 + wave)));
-        add(head, {side * (0.12 + 0.2 * std::sin(0.5 + wave)), 0.17 + 0.19 * std::cos(0.5 + wave), 0.02},
-            dvec3(0.04), shell);
+        add(head, {side * (0.12 + 0.2 * std::sin(0.5 + wave)), 0.17 + 0.19 * std::cos(0.5 + wave), 0.02}, dvec3(0.04),
+            shell);
         for (int leg = 0; leg < 3; ++leg) {
             const double swing = step(0.8, 0.33 * leg + (side > 0 ? 0 : 0.5));
             add(root, {side * 0.36, 0.06 + 0.05 * std::max(swing, 0.0), 0.24 - 0.24 * leg + 0.09 * swing},
@@ -90,7 +90,8 @@ void Builder::patroller(const Frame& root) {
     const bool alert = p_.mood == EnemyMood::notice || p_.mood == EnemyMood::attack;
     const Colour light = alert ? rgb(0xFF5A3C) : rgb(0xFFD25A);
     const double sway = step(1.1, 0);
-    const Frame body = root.inside({0, 0.80 + 0.03 * std::abs(sway), 0}, rolled(0.09 * sway) * pitched(0.15 * p_.alarm));
+    const Frame body =
+        root.inside({0, 0.80 + 0.03 * std::abs(sway), 0}, rolled(0.09 * sway) * pitched(0.15 * p_.alarm));
     add(body, {0, -0.36, 0}, {0.26, 0.06, 0.26}, iron, Solid::drum);
     add(body, {0, 0.0, 0}, {0.215, 0.31, 0.215}, light, Solid::drum, dmat3(1), 0.75F);
     for (int bar = 0; bar < 4; ++bar) {
@@ -146,7 +147,8 @@ void Builder::shooter(const Frame& root) {
     const double recoil = p_.reduced_motion ? 0 : 0.20 * std::exp(-p_.since_fire * 9);
     for (int joint = 0; joint < 4; ++joint) {
         const double up = joint / 3.0;
-        add(root, {sway * up, 0.42 + 0.36 * up, -0.08 * std::sin(up * 3.0) - recoil * up * 0.5}, {0.065, 0.11, 0.065}, leaf);
+        add(root, {sway * up, 0.42 + 0.36 * up, -0.08 * std::sin(up * 3.0) - recoil * up * 0.5}, {0.065, 0.11, 0.065},
+            leaf);
     }
     for (const double side : {1.0, -1.0})
         add(root, {side * 0.24, 0.50 + 0.02 * std::sin(p_.clock * 2.3 + side), 0.02}, {0.22, 0.035, 0.10}, leaf,
@@ -191,10 +193,18 @@ void Builder::build() {
     const double wide = std::min(1 / std::sqrt(tall), 1.5);
     const Frame root = standing.inside(dvec3(0), scaled(dvec3(wide, tall, wide) * size));
     switch (p_.kind) {
-        case EnemyKind::chaser: chaser(root); break;
-        case EnemyKind::patroller: patroller(root); break;
-        case EnemyKind::jumper: jumper(root); break;
-        case EnemyKind::shooter: shooter(root); break;
+        case EnemyKind::chaser:
+            chaser(root);
+            break;
+        case EnemyKind::patroller:
+            patroller(root);
+            break;
+        case EnemyKind::jumper:
+            jumper(root);
+            break;
+        case EnemyKind::shooter:
+            shooter(root);
+            break;
     }
     if (p_.mood == EnemyMood::notice) mark(standing);
 }

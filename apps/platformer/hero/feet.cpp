@@ -10,9 +10,9 @@
 namespace surefoot::platformer {
 namespace {
 
-constexpr double step_time = 0.16;     // of a small step to stand better [s]
-constexpr double bad_footing = 0.10;   // from where it would stand: worth a step [m]
-constexpr double reach = 0.75;         // no leg is longer [m]
+constexpr double step_time = 0.16;      // of a small step to stand better [s]
+constexpr double bad_footing = 0.10;    // from where it would stand: worth a step [m]
+constexpr double reach = 0.75;          // no leg is longer [m]
 constexpr double standing_speed = 0.3;  // [m/s]
 
 /// How high the ground is at a place near the walker, by its slope.

@@ -18,13 +18,13 @@ struct Foot {
 using Feet = std::array<Foot, 2>;
 
 struct Walk {
-    dvec3 place{0, 0, 0};         ///< of the walker's soles, in the world [m]
-    dvec3 carried{0, 0, 0};       ///< by what it stands on, in this tick [m]
+    dvec3 place{0, 0, 0};    ///< of the walker's soles, in the world [m]
+    dvec3 carried{0, 0, 0};  ///< by what it stands on, in this tick [m]
     dvec3 ground_normal{0, 1, 0};
-    double facing = 0;            ///< [rad]
-    dvec3 velocity{0, 0, 0};      ///< relative to the ground [m/s]
-    double stride = 0;            ///< how many pairs of steps were made
-    double wide = 0.13;           ///< of either foot from the middle [m]
+    double facing = 0;        ///< [rad]
+    dvec3 velocity{0, 0, 0};  ///< relative to the ground [m/s]
+    double stride = 0;        ///< how many pairs of steps were made
+    double wide = 0.13;       ///< of either foot from the middle [m]
 };
 
 /// On by `dt` [s].

@@ -61,8 +61,8 @@ void Builder::eyes(const Frame& head, double open) {
         if (open < 0.3) {
             // Shut: bent upwards, as those of one who smiles.
             for (const double end : {1.0, -1.0})
-                add(head, {side * 0.118 + end * 0.024, 0.035, 0.250 - side * end * 0.008}, {0.033, 0.012, 0.02},
-                    c_.paw, Solid::ball, out * rolled(end * 0.62));
+                add(head, {side * 0.118 + end * 0.024, 0.035, 0.250 - side * end * 0.008}, {0.033, 0.012, 0.02}, c_.paw,
+                    Solid::ball, out * rolled(end * 0.62));
             continue;
         }
         add(head, {side * 0.112, 0.035, 0.232}, {0.050, 0.078 * open, 0.040}, view::rgb(0x2A1A1C), Solid::ball, out);
@@ -111,8 +111,7 @@ void Builder::scarf(const HeroPose& pose) {
         wide = glm::normalize(wide - down * glm::dot(wide, down));
         const Frame link{dmat3(wide, down, glm::cross(wide, down)), (points[i] + points[i + 1]) * 0.5};
         const double share = double(i) / double(scarf_points - 2);
-        add(link, {0, 0, 0}, {0.062 + 0.035 * share, length * 0.66, 0.024},
-            share > 0.75 ? c_.scarf_end : c_.scarf);
+        add(link, {0, 0, 0}, {0.062 + 0.035 * share, length * 0.66, 0.024}, share > 0.75 ? c_.scarf_end : c_.scarf);
     }
 }
 
@@ -141,7 +140,8 @@ void Builder::figure(const HeroPose& pose) {
     add(neck, {0, -0.01, -0.165}, {0.062, 0.058, 0.05}, c_.scarf);
     // The head is held more upright than the body.
     const dmat3 level = pitched(-s.pitch * 0.45) * rolled(-s.roll * 0.6);
-    const dmat3 looks = turned(s.head_yaw + pose.look_left) * pitched(s.head_pitch - pose.look_up) * rolled(s.head_roll);
+    const dmat3 looks =
+        turned(s.head_yaw + pose.look_left) * pitched(s.head_pitch - pose.look_up) * rolled(s.head_roll);
     head(neck.inside(s.head, level).inside({0, 0.262, 0.015}, looks), s, pose.clock);
     const bool holds = pose.act == HeroAct::hang || pose.act == HeroAct::climb;
     for (const int side : {left, right}) {
@@ -191,8 +191,7 @@ void add_pieces(std::vector<Piece>& pieces, const HeroPose& pose, const HeroLook
     builder.figure(pose);
 }
 
-void draw(view::Renderer& renderer, const HeroPose& before, const HeroPose& after, double blend,
-          const HeroLook& look) {
+void draw(view::Renderer& renderer, const HeroPose& before, const HeroPose& after, double blend, const HeroLook& look) {
     std::vector<Piece> pieces;
     pieces.reserve(80);
     add_pieces(pieces, between(before, after, blend), look);

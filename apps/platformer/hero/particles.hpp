@@ -16,12 +16,12 @@ struct Puff {
     dvec3 place{0, 0, 0};
     dvec3 before{0, 0, 0};  ///< where it was a tick ago
     dvec3 velocity{0, 0, 0};
-    double age = 0;      ///< [s]
-    double life = 0.5;   ///< [s]
-    double size = 0.1;   ///< at first [m]
-    double growth = 0;   ///< [m/s]
-    double fall = 0;     ///< [m/s^2]
-    double slows = 3;    ///< [1/s]
+    double age = 0;     ///< [s]
+    double life = 0.5;  ///< [s]
+    double size = 0.1;  ///< at first [m]
+    double growth = 0;  ///< [m/s]
+    double fall = 0;    ///< [m/s^2]
+    double slows = 3;   ///< [1/s]
     view::Colour colour = view::paint::paper;
     float glow = 0;
     double stretch = 0;  ///< along its way, for streaks [s]
@@ -29,7 +29,7 @@ struct Puff {
 
 class Particles {
 public:
-    static constexpr std::uint32_t most = 192;
+    static constexpr std::uint32_t most = 256;
 
     explicit Particles(std::uint64_t seed = 1) : puffs_(most), random_(seed) {}
 

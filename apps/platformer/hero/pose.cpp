@@ -117,15 +117,15 @@ double grip_offset(double shimmy, int side) {
     return 0.60 * (-0.25 + 0.5 * share * share * (3 - 2 * share));
 }
 
-void hold_edge(HeroPose& pose, const CharacterState& after, const Frame& frame, double dt) {
+void hold_edge(Stance& wanted, const HeroPose& pose, const CharacterState& after, const Frame& frame) {
     for (const int side : {left, right}) {
         dvec3 grip = frame.to_local(after.ledge_point);
-        grip.x += (side == left ? 0.20 : -0.20) + (pose.act == HeroAct::hang ? grip_offset(pose.shimmy, side) * 0.4 : 0);
+        grip.x +=
+            (side == left ? 0.20 : -0.20) + (pose.act == HeroAct::hang ? grip_offset(pose.shimmy, side) * 0.4 : 0);
         grip.y += 0.02;
-        grip.z += 0.04;
-        const dvec3 reach = grip - dvec3(0, 0.9, 0);
-        if (glm::length(reach) > 1.4) continue;  // no arm is so long
-        pose.stance.hands[side] += (grip - pose.stance.hands[side]) * eased(45, dt);
+        grip.z -= 0.03;                                                    // it lies over the edge
+        const bool in_reach = glm::length(grip - dvec3(0, 0.9, 0)) < 1.4;  // no arm is longer
+        if (in_reach) wanted.hands[side] = grip;
     }
 }
 
@@ -148,8 +148,8 @@ void place_feet(HeroPose& pose, const HeroPose& last, const CharacterState& afte
         const dvec3 carried = after.footing == Footing::air ? dvec3(0) : after.ground_velocity * dt;
         const double wide = pose.act == HeroAct::crouch ? 0.17 : 0.13;
         const dvec3 normal = after.footing == Footing::air ? dvec3(0, 1, 0) : after.ground_normal;
-        pose.feet = advance(last.feet,
-                            {pose.soles, carried, normal, pose.facing, after.velocity, pose.stride, wide}, dt);
+        pose.feet =
+            advance(last.feet, {pose.soles, carried, normal, pose.facing, after.velocity, pose.stride, wide}, dt);
         for (std::size_t i = 0; i < 2; ++i) {
             pose.stance.feet[i] = frame.to_local(pose.feet[i].at);
             pose.stance.toes[i] = pose.feet[i].toes;
@@ -215,14 +215,14 @@ HeroPose advance(const HeroPose& last, const CharacterState& before, const Chara
     const bool may_flip = pose.act == HeroAct::jump || pose.act == HeroAct::fall;
     pose.flip = may_flip ? std::max(pose.flip - dt * (4 + 2.2 * pose.flip), 0.0) : 0;
     const Frame frame = standing_frame(pose);
-    if (pose.act == HeroAct::wall_slide)
-        pose.wall_side = glm::dot(frame.axes[0], after.wall_normal) < 0 ? 1 : -1;
+    if (pose.act == HeroAct::wall_slide) pose.wall_side = glm::dot(frame.axes[0], after.wall_normal) < 0 ? 1 : -1;
     const double speed = pose.act == HeroAct::swim ? glm::length(after.velocity) : glm::length(flat(after.velocity));
-    const Stance wanted = stance_of(pose.act, {pose.act_time, pose.clock, pose.stride, speed, after.velocity.y,
-                                               pose.wall_side, pose.reduced_motion});
-    const double rate = pose.act == HeroAct::idle ? 14 : pose.act == HeroAct::dead ? 30 : 20;
+    Stance wanted = stance_of(pose.act, {pose.act_time, pose.clock, pose.stride, speed, after.velocity.y,
+                                         pose.wall_side, pose.reduced_motion});
+    const bool holds = pose.act == HeroAct::hang || pose.act == HeroAct::climb;
+    if (holds) hold_edge(wanted, pose, after, frame);
+    const double rate = pose.act == HeroAct::idle ? 14 : holds || pose.act == HeroAct::dead ? 30 : 20;
     pose.stance = mixed(last.stance, wanted, eased(rate, dt));
-    if (pose.act == HeroAct::hang || pose.act == HeroAct::climb) hold_edge(pose, after, frame, dt);
     place_feet(pose, last, after, frame, dt);
     leave_images(pose, frame, dt);
     pose.scarf = advance(last.scarf, knot_of(pose, frame), frame.at(pose.stance.body), 0.27, pose.soles.y + 0.03,

@@ -16,7 +16,7 @@ namespace surefoot::platformer {
 /// What the state of a character does not say.
 struct HeroFlags {
     bool under_water = false;
-    bool hurt = false;       ///< something hurt it in this tick
+    bool hurt = false;         ///< something hurt it in this tick
     bool untouchable = false;  ///< it was hurt a moment ago and blinks
     bool dead = false;
     bool won = false;
@@ -34,14 +34,14 @@ inline constexpr std::size_t after_image_count = 4;
 inline constexpr double after_image_time = 0.28;  ///< until one is gone [s]
 
 struct HeroPose {
-    dvec3 soles{0, 0, 0};  ///< the lowest point of the volume, in the world [m]
-    double facing = 0;     ///< about up: 0 looks along Z, a quarter turn along X [rad]
+    dvec3 soles{0, 0, 0};     ///< the lowest point of the volume, in the world [m]
+    double facing = 0;        ///< about up: 0 looks along Z, a quarter turn along X [rad]
     dvec3 velocity{0, 0, 0};  ///< as it was in the last tick, relative to what carries it [m/s]
     double lean_forward = 0;  ///< [rad]
     double lean_left = 0;
     double squash = 0;  ///< how much taller than usual: below 0 is flatter [-0.4 to 0.35]
     double squash_speed = 0;
-    double flip = 0;  ///< what is left of a somersault [rad]
+    double flip = 0;       ///< what is left of a somersault [rad]
     double look_left = 0;  ///< of the head, to where it is going [rad]
     double look_up = 0;
     HeroAct act = HeroAct::idle;

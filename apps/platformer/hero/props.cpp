@@ -104,7 +104,8 @@ void draw_goal(Renderer& renderer, const dvec3& place, const PropMoment& moment,
     const Frame frame{dmat3(1), place};
     const Colour colour = open ? rgb(0x35D3E0) : rgb(0x8A97A3);
     put(renderer, frame, {0, 0.06, 0}, {radius, 0.06, radius}, rgb(0xE9EEF2), Solid::drum);
-    put(renderer, frame, {0, 0.09, 0}, {radius * 0.82, 0.05, radius * 0.82}, colour, Solid::drum, dmat3(1), open ? 0.6 : 0);
+    put(renderer, frame, {0, 0.09, 0}, {radius * 0.82, 0.05, radius * 0.82}, colour, Solid::drum, dmat3(1),
+        open ? 0.6 : 0);
     for (int post = 0; post < 4; ++post) {
         const double angle = pi / 4 + pi / 2 * post;
         const dvec3 at(radius * std::sin(angle), 0, radius * std::cos(angle));

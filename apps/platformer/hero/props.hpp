@@ -9,9 +9,9 @@
 namespace surefoot::platformer {
 
 struct PropMoment {
-    double clock = 0;      ///< [s]
-    double shown = 1;      ///< 1: it is there; less: it was taken and shrinks [0 to 1]
-    bool calm = false;     ///< reduced motion: it turns, but does not bob
+    double clock = 0;   ///< [s]
+    double shown = 1;   ///< 1: it is there; less: it was taken and shrinks [0 to 1]
+    bool calm = false;  ///< reduced motion: it turns, but does not bob
 };
 
 /// A disc that spins; the middle is at `place`. Each a little later than the one before it, by where it is.

@@ -32,7 +32,8 @@ Scarf advance(const Scarf& scarf, const dvec3& knot, const dvec3& middle, double
         // The faster it is pulled, the more it flutters.
         const double flutter = std::min(glm::length(moved) / dt, 8.0) * 2.2;
         const double phase = clock * 17 - double(i) * 1.3;
-        const dvec3 air(flutter * std::sin(phase * 0.7), 0.6 * flutter * std::sin(phase), flutter * std::cos(phase * 0.6));
+        const dvec3 air(flutter * std::sin(phase * 0.7), 0.6 * flutter * std::sin(phase),
+                        flutter * std::cos(phase * 0.6));
         next.now[i] = scarf.now[i] + moved + (air - dvec3(0, weight, 0)) * (dt * dt);
     }
     for (int round = 0; round < 4; ++round) {

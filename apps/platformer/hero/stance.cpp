@@ -43,8 +43,7 @@ Stance run(const StanceMoment& m) {
     s.head_yaw = -0.12 * effort * swing;
     for (const int side : {left, right}) {
         const double fore = side == left ? -swing : swing;
-        s.hands[side] =
-            on_side(side, {0.29, 0.54 + 0.12 * effort * std::max(fore, -0.4), 0.04 + 0.33 * effort * fore});
+        s.hands[side] = on_side(side, {0.29, 0.54 + 0.12 * effort * std::max(fore, -0.4), 0.04 + 0.33 * effort * fore});
     }
     s.ears = 0.45 * effort;
     s.tail = 0.5 * effort + 0.15 * std::sin(2 * turn * m.stride);
@@ -292,21 +291,36 @@ Stance mixed(const Stance& a, const Stance& b, double share) {
 
 Stance stance_of(HeroAct act, const StanceMoment& m) {
     switch (act) {
-        case HeroAct::idle: return idle(m);
-        case HeroAct::run: return run(m);
-        case HeroAct::jump: return jump(m);
-        case HeroAct::fall: return fall(m);
-        case HeroAct::crouch: return crouch(m);
-        case HeroAct::slide: return slide(m);
-        case HeroAct::hang: return hang(m);
-        case HeroAct::climb: return climb(m);
-        case HeroAct::wall_slide: return wall_slide(m);
-        case HeroAct::swim: return swim(m);
-        case HeroAct::ladder: return ladder(m);
-        case HeroAct::dash: return dash(m);
-        case HeroAct::hurt: return hurt(m);
-        case HeroAct::dead: return dead(m);
-        case HeroAct::win: break;
+        case HeroAct::idle:
+            return idle(m);
+        case HeroAct::run:
+            return run(m);
+        case HeroAct::jump:
+            return jump(m);
+        case HeroAct::fall:
+            return fall(m);
+        case HeroAct::crouch:
+            return crouch(m);
+        case HeroAct::slide:
+            return slide(m);
+        case HeroAct::hang:
+            return hang(m);
+        case HeroAct::climb:
+            return climb(m);
+        case HeroAct::wall_slide:
+            return wall_slide(m);
+        case HeroAct::swim:
+            return swim(m);
+        case HeroAct::ladder:
+            return ladder(m);
+        case HeroAct::dash:
+            return dash(m);
+        case HeroAct::hurt:
+            return hurt(m);
+        case HeroAct::dead:
+            return dead(m);
+        case HeroAct::win:
+            break;
     }
     return win(m);
 }

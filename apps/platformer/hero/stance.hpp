@@ -1,4 +1,5 @@
-/// How a hero holds itself: places of its parts about the soles of its feet, and one stance for each thing that it does.
+/// How a hero holds itself: places of its parts about the soles of its feet, and one stance for each thing that it
+/// does.
 #pragma once
 
 #include <cstdint>
@@ -44,23 +45,23 @@ struct Stance {
     double head_roll = 0;
     dvec3 hands[2] = {{0.31, 0.52, 0.05}, {-0.31, 0.52, 0.05}};
     dvec3 feet[2] = {{0.13, 0, 0}, {-0.13, 0, 0}};
-    double toes[2] = {0, 0};   ///< how far the toes point down
-    double ears = 0;           ///< laid back [0 to 1]
-    double eyes = 1;           ///< open [0 to 1]
-    double tail = 0;           ///< raised [rad]
-    dvec3 stretch{1, 1, 1};    ///< of all but the feet
+    double toes[2] = {0, 0};  ///< how far the toes point down
+    double ears = 0;          ///< laid back [0 to 1]
+    double eyes = 1;          ///< open [0 to 1]
+    double tail = 0;          ///< raised [rad]
+    dvec3 stretch{1, 1, 1};   ///< of all but the feet
 };
 
 [[nodiscard]] Stance mixed(const Stance& a, const Stance& b, double share);
 
 /// What a stance depends on.
 struct StanceMoment {
-    double time = 0;         ///< since the act began [s]
-    double clock = 0;        ///< since the figure is there [s]
-    double stride = 0;       ///< how many pairs of steps were made so far
-    double speed = 0;        ///< over the ground, or through the water [m/s]
-    double rise = 0;         ///< upwards [m/s]
-    double wall_side = 1;    ///< 1: the wall is to the left, -1: to the right
+    double time = 0;       ///< since the act began [s]
+    double clock = 0;      ///< since the figure is there [s]
+    double stride = 0;     ///< how many pairs of steps were made so far
+    double speed = 0;      ///< over the ground, or through the water [m/s]
+    double rise = 0;       ///< upwards [m/s]
+    double wall_side = 1;  ///< 1: the wall is to the left, -1: to the right
     bool reduced_motion = false;
 };
 
