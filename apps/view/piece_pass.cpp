@@ -60,7 +60,7 @@ PiecePass::PiecePass()
 }
 
 PiecePass::SolidMesh PiecePass::make_mesh(Solid solid, std::size_t detail) const {
-    constexpr int corners[detail_count] = {32, 16, 8};
+    constexpr int corners[detail_count] = {28, 12, 8};
     const ShapeMesh shape = unit_mesh(solid, corners[detail]);
     SolidMesh mesh{gl::VertexArray::make(), gl::Buffer::make(), gl::Buffer::make(),
                    static_cast<GLsizei>(shape.indices.size())};
@@ -119,7 +119,7 @@ std::size_t PiecePass::draw(const Lighting& light, const gl::mat4& clip_from_eye
         if (!frustum.may_see(vec3(at - reach), vec3(at + reach))) continue;
         const double away = glm::length(at);
         const double pixels = reach / (std::max(away - reach, 1e-3) * pixel);
-        const std::size_t detail = pixels > 40 ? 0 : pixels > 9 ? 1 : 2;
+        const std::size_t detail = pixels > 60 ? 0 : pixels > 12 ? 1 : 2;
         seen.push_back({away, static_cast<std::size_t>(piece.solid) * detail_count + detail, &piece});
     }
     if (seen.empty()) return 0;
