@@ -115,7 +115,7 @@ TEST_P(Pieces, that_are_small_on_the_picture_have_fewer_triangles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEveryApi, Pieces, testing::Values(GlApi::core, GlApi::es),
-                         [](const auto& info) { return info.param == GlApi::core ? "core" : "es"; });
+                         [](const auto& given) { return given.param == GlApi::core ? "core" : "es"; });
 
 }  // namespace
 }  // namespace surefoot::view

@@ -20,10 +20,14 @@ const void* offset(std::size_t bytes) {
 
 ShapeMesh unit_mesh(Solid solid, int around) {
     switch (solid) {
-        case Solid::ball: return mesh_of(Sphere{1}, around);
-        case Solid::drum: return mesh_of(Cylinder{1, 1}, around);
-        case Solid::cube: return mesh_of(Box{{1, 1, 1}}, around);
-        case Solid::cone: break;
+        case Solid::ball:
+            return mesh_of(Sphere{1}, around);
+        case Solid::drum:
+            return mesh_of(Cylinder{1, 1}, around);
+        case Solid::cube:
+            return mesh_of(Box{{1, 1, 1}}, around);
+        case Solid::cone:
+            break;
     }
     // The library's cone stands on its tip: half a turn about X puts it right.
     ShapeMesh mesh = mesh_of(Cone{1, 1}, around);
@@ -48,15 +52,15 @@ PiecePass::PiecePass()
     : depth_("piece depth", shaders::piece_depth_vertex, shaders::depth_fragment), instances_(gl::Buffer::make()) {
     const std::string light = std::string(shaders::light) + std::string(shaders::piece_light);
     for (const int shadows : {0, 1})
-        lit_[shadows] = gl::Program("piece", light + std::string(shaders::piece_vertex),
-                                    light + std::string(shaders::piece_fragment),
-                                    shadows != 0 ? "#define SHADOWS\n" : "");
+        lit_[shadows] =
+            gl::Program("piece", light + std::string(shaders::piece_vertex),
+                        light + std::string(shaders::piece_fragment), shadows != 0 ? "#define SHADOWS\n" : "");
     for (std::size_t i = 0; i < meshes_.size(); ++i)
         meshes_[i] = make_mesh(static_cast<Solid>(i / detail_count), i % detail_count);
 }
 
 PiecePass::SolidMesh PiecePass::make_mesh(Solid solid, std::size_t detail) const {
-    constexpr int corners[detail_count] = {32, 16, 8};
+    constexpr int corners[detail_count] = {28, 12, 8};
     const ShapeMesh shape = unit_mesh(solid, corners[detail]);
     SolidMesh mesh{gl::VertexArray::make(), gl::Buffer::make(), gl::Buffer::make(),
                    static_cast<GLsizei>(shape.indices.size())};
@@ -115,7 +119,7 @@ std::size_t PiecePass::draw(const Lighting& light, const gl::mat4& clip_from_eye
         if (!frustum.may_see(vec3(at - reach), vec3(at + reach))) continue;
         const double away = glm::length(at);
         const double pixels = reach / (std::max(away - reach, 1e-3) * pixel);
-        const std::size_t detail = pixels > 40 ? 0 : pixels > 9 ? 1 : 2;
+        const std::size_t detail = pixels > 60 ? 0 : pixels > 12 ? 1 : 2;
         seen.push_back({away, static_cast<std::size_t>(piece.solid) * detail_count + detail, &piece});
     }
     if (seen.empty()) return 0;

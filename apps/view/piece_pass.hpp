@@ -27,7 +27,7 @@ inline constexpr std::size_t solid_count = 4;
 
 struct Piece {
     Solid solid = Solid::ball;
-    dmat4x3 place{1};  ///< from the solid to the world: it may turn, stretch and shear, but not mirror
+    dmat4x3 place{1};            ///< from the solid to the world: it may turn, stretch and shear, but not mirror
     Colour colour = paint::hit;  ///< below 255 of `a` it is seen through, and what is farther is drawn first
     float glow = 0;              ///< how much of its colour it shines by itself [0 to 1]
     bool casts_shadow = false;   ///< where shadows are drawn

@@ -14,20 +14,22 @@ namespace {
 
 constexpr double lowest_pitch = -0.35;  // [rad]
 constexpr double highest_pitch = 1.25;
-constexpr double look_height = 0.55;    // of what it looks at, over the reference point [m]
-constexpr double jump_room = 1.7;       // a jump of less than this leaves the height alone [m]
-constexpr double fall_room = 0.5;       // a fall of less, too [m]
-constexpr double ahead_time = 0.22;     // how far it looks ahead, as a part of the way that is run in it [s]
-constexpr double most_ahead = 1.3;      // [m]
-constexpr double drop_depth = 2.2;      // an edge with less below is none to look down from [m]
-constexpr double drop_dip = 0.26;       // [rad]
-constexpr double quick_in = 14;         // towards the hero [1/s]
-constexpr double fastest_eye = 26;      // relative to the hero [m/s]
-constexpr double longest_hidden = 0.4;  // [s]
-constexpr double fastest_in = 22;       // [m/s]
-constexpr double steer_rate = 2.2;      // around what is about to come between [rad/s]
-constexpr double slow_out = 1.6;        // [1/s]
-constexpr double fastest_out = 5;       // [m/s]
+constexpr double look_height = 0.55;     // of what it looks at, over the reference point [m]
+constexpr double jump_room = 1.7;        // a jump of less than this leaves the height alone [m]
+constexpr double fall_room = 0.5;        // a fall of less, too [m]
+constexpr double ahead_time = 0.22;      // how far it looks ahead, as a part of the way that is run in it [s]
+constexpr double most_ahead = 1.3;       // [m]
+constexpr double drop_depth = 2.2;       // an edge with less below is none to look down from [m]
+constexpr double drop_dip = 0.26;        // [rad]
+constexpr double quick_in = 14;          // towards the hero [1/s]
+constexpr double side_room = 2.2;        // farther away than this a wall at its side makes nothing narrow [m]
+constexpr double corridor_share = 0.38;  // of the distance, that a corridor takes away
+constexpr double fastest_eye = 26;       // relative to the hero [m/s]
+constexpr double longest_hidden = 0.4;   // [s]
+constexpr double fastest_in = 22;        // [m/s]
+constexpr double steer_rate = 2.2;       // around what is about to come between [rad/s]
+constexpr double slow_out = 1.6;         // [1/s]
+constexpr double fastest_out = 5;        // [m/s]
 
 dvec3 flat(const dvec3& v) {
     return {v.x, 0, v.z};
@@ -163,12 +165,26 @@ void go_to(CameraState& s, const World& world, const dvec3& anchor, const dvec3&
         s.yaw += turn_between(s.yaw, std::atan2(looks.x, looks.z)) * eased(6, dt);
 }
 
+/// How narrow it is where the hero stands, across the look: 1 between walls that nearly touch it, 0 in the open.
+double narrowness(const CameraState& s, const World& world, const CameraTarget& target, const WorldQuery& query) {
+    const dvec3 anchor = anchor_of(target);
+    const dvec3 forward = forward_of(s.yaw);
+    const dvec3 to_left(forward.z, 0, -forward.x);
+    double width = 0;
+    for (const double side : {1.0, -1.0})
+        width += side_room * seen_share(world, anchor, anchor + to_left * (side * side_room), query);
+    return std::clamp((2 * side_room - width) / (2 * side_room - 1.6), 0.0, 1.0);
+}
+
 void place_eye(CameraState& s, const World& world, const CameraTarget& target, const CameraSettings& settings,
                const WorldQuery& query, bool at_once, double dt) {
     const dvec3 anchor = anchor_of(target);
     s.look_at = flat(target.position) + dvec3(0, s.height + look_height, 0) + s.ahead;
     const double pitch = std::clamp(s.pitch + s.dip + s.rise, lowest_pitch, highest_pitch);
-    const dvec3 wished = s.look_at + outward(s.yaw, pitch) * s.distance;
+    s.narrow += (narrowness(s, world, target, query) - s.narrow) * (at_once ? 1 : eased(1.5, dt));
+    // One wall beside the hero changes little, two are a corridor.
+    const double distance = s.distance * (1 - corridor_share * s.narrow * s.narrow);
+    const dvec3 wished = s.look_at + outward(s.yaw, pitch) * distance;
     const dvec3 way = wished - anchor;
     const double length = glm::length(way);
     if (!(length > 1e-6)) return;

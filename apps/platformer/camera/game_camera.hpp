@@ -12,11 +12,11 @@
 namespace surefoot::platformer {
 
 struct CameraSettings {
-    double distance = 5.6;       ///< from whom it follows, where there is room [m]
-    double pitch = 0.30;         ///< how high it likes to stand [rad]
-    double field_of_view = 1.0;  ///< of the picture's height [rad]
-    double auto_turn = 1.7;      ///< how fast it comes behind one who runs; 0: never [rad/s]
-    double patience = 0.7;       ///< for how long it stays as the player turned it [s]
+    double distance = 5.6;        ///< from whom it follows, where there is room [m]
+    double pitch = 0.30;          ///< how high it likes to stand [rad]
+    double field_of_view = 1.0;   ///< of the picture's height [rad]
+    double auto_turn = 1.7;       ///< how fast it comes behind one who runs; 0: never [rad/s]
+    double patience = 0.7;        ///< for how long it stays as the player turned it [s]
     bool reduced_motion = false;  ///< the field of view stays as it is, and nothing looks ahead
 };
 
@@ -36,13 +36,13 @@ struct CameraInput {
 
 /// Whom it follows.
 struct CameraTarget {
-    dvec3 position{0, 0, 0};      ///< of the volume's reference point [m]
-    dvec3 velocity{0, 0, 0};      ///< in the world [m/s]
-    dvec3 carried{0, 0, 0};       ///< the part of it that is of what carries it [m/s]
-    double anchor = 0.35;         ///< over the reference point: where in the volume there is room for the ball [m]
-    double half_height = 0.8;     ///< [m]
-    double facing = 0;            ///< as that of a hero's pose [rad]
-    bool on_ground = false;       ///< or held by an edge, a ladder, the water
+    dvec3 position{0, 0, 0};   ///< of the volume's reference point [m]
+    dvec3 velocity{0, 0, 0};   ///< in the world [m/s]
+    dvec3 carried{0, 0, 0};    ///< the part of it that is of what carries it [m/s]
+    double anchor = 0.35;      ///< over the reference point: where in the volume there is room for the ball [m]
+    double half_height = 0.8;  ///< [m]
+    double facing = 0;         ///< as that of a hero's pose [rad]
+    bool on_ground = false;    ///< or held by an edge, a ladder, the water
     bool dashes = false;
 };
 
@@ -61,6 +61,7 @@ struct CameraState {
     double floor = 0;            ///< where that height is on its way to [m]
     dvec3 ahead{0, 0, 0};        ///< how far in front of the hero it looks [m]
     double distance = 5.6;       ///< that is wished [m]
+    double narrow = 0;           ///< 1 in the narrowest corridor [0 to 1]
     double share = 1;            ///< of that distance, for want of room [0 to 1]
     double steer = 0;            ///< out of the way of what is about to come between, to the left [-1 to 1]
     double since_turn = 1e9;     ///< since the player turned it [s]
@@ -77,9 +78,11 @@ struct CameraState {
 [[nodiscard]] CameraState camera_behind(const World& world, const CameraTarget& target, const CameraSettings& settings,
                                         double yaw, const WorldQuery& query = {});
 
-/// On by one tick of `dt` seconds. Guarantees: no triangle of the world is within `eye_radius` of the eye, nor on the
-/// line to it from the hero's head, as long as there is room for that ball in the hero's own volume. `query` says which
-/// bodies there are for it.
+/// On by one tick of `dt` seconds. Guarantees, as long as there is room for the ball of the eye in the hero's own
+/// volume: nothing of the world is within `eye_radius` of the eye. Relative to the hero it moves by at most 26 m/s.
+/// Where a hero goes behind a corner at its side that is too slow to keep it in sight; then something is between them
+/// for up to 0.4 s, and if the eye has not come round the corner by then, it cuts to where it sees the hero. `query`
+/// says which bodies there are for it.
 [[nodiscard]] CameraState advance(const CameraState& state, const World& world, const CameraTarget& target,
                                   const CameraSettings& settings, const CameraInput& input,
                                   const std::optional<CameraHint>& hint, double dt, const WorldQuery& query = {});

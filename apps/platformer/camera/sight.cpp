@@ -7,9 +7,9 @@
 namespace surefoot::platformer {
 namespace {
 
-constexpr double thin = 0.06;         // of the ball that is swept along a look [m]
-constexpr double air = 0.01;          // that is kept around a ball [m]
-constexpr double stride = 0.10;       // between two places that are tried for the eye [m]
+constexpr double thin = 0.06;    // of the ball that is swept along a look [m]
+constexpr double air = 0.01;     // that is kept around a ball [m]
+constexpr double stride = 0.10;  // between two places that are tried for the eye [m]
 
 // Looks to the sides, to the left and the right [rad], and up and down.
 constexpr double across[] = {0.04, 0.09, 0.15, 0.22, 0.30, 0.39, 0.49, 0.60};

@@ -29,7 +29,7 @@ struct Puff {
 
 class Particles {
 public:
-    static constexpr std::uint32_t most = 192;
+    static constexpr std::uint32_t most = 256;
 
     explicit Particles(std::uint64_t seed = 1) : puffs_(most), random_(seed) {}
 

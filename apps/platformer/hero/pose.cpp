@@ -117,16 +117,15 @@ double grip_offset(double shimmy, int side) {
     return 0.60 * (-0.25 + 0.5 * share * share * (3 - 2 * share));
 }
 
-void hold_edge(HeroPose& pose, const CharacterState& after, const Frame& frame, double dt) {
+void hold_edge(Stance& wanted, const HeroPose& pose, const CharacterState& after, const Frame& frame) {
     for (const int side : {on_left, on_right}) {
         dvec3 grip = frame.to_local(after.ledge_point);
         grip.x +=
             (side == on_left ? 0.20 : -0.20) + (pose.act == HeroAct::hang ? grip_offset(pose.shimmy, side) * 0.4 : 0);
         grip.y += 0.02;
-        grip.z += 0.04;
-        const dvec3 reach = grip - dvec3(0, 0.9, 0);
-        if (glm::length(reach) > 1.4) continue;  // no arm is so long
-        pose.stance.hands[side] += (grip - pose.stance.hands[side]) * eased(45, dt);
+        grip.z -= 0.03;                                                    // it lies over the edge
+        const bool in_reach = glm::length(grip - dvec3(0, 0.9, 0)) < 1.4;  // no arm is longer
+        if (in_reach) wanted.hands[side] = grip;
     }
 }
 
@@ -218,11 +217,12 @@ HeroPose advance(const HeroPose& last, const CharacterState& before, const Chara
     const Frame frame = standing_frame(pose);
     if (pose.act == HeroAct::wall_slide) pose.wall_side = glm::dot(frame.axes[0], after.wall_normal) < 0 ? 1 : -1;
     const double speed = pose.act == HeroAct::swim ? glm::length(after.velocity) : glm::length(flat(after.velocity));
-    const Stance wanted = stance_of(pose.act, {pose.act_time, pose.clock, pose.stride, speed, after.velocity.y,
-                                               pose.wall_side, pose.reduced_motion});
-    const double rate = pose.act == HeroAct::idle ? 14 : pose.act == HeroAct::dead ? 30 : 20;
+    Stance wanted = stance_of(pose.act, {pose.act_time, pose.clock, pose.stride, speed, after.velocity.y,
+                                         pose.wall_side, pose.reduced_motion});
+    const bool holds = pose.act == HeroAct::hang || pose.act == HeroAct::climb;
+    if (holds) hold_edge(wanted, pose, after, frame);
+    const double rate = pose.act == HeroAct::idle ? 14 : holds || pose.act == HeroAct::dead ? 30 : 20;
     pose.stance = mixed(last.stance, wanted, eased(rate, dt));
-    if (pose.act == HeroAct::hang || pose.act == HeroAct::climb) hold_edge(pose, after, frame, dt);
     place_feet(pose, last, after, frame, dt);
     leave_images(pose, frame, dt);
     pose.scarf = advance(last.scarf, knot_of(pose, frame), frame.at(pose.stance.body), 0.27, pose.soles.y + 0.03,

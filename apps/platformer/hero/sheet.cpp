@@ -1,4 +1,5 @@
 // Writes a contact sheet: every pose of the hero, the enemies, what is collected. A picture to look at after a change.
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "platformer/hero/props.hpp"
 #include "view/contact_sheet.hpp"
 #include "view/display.hpp"
+#include "view/gl.hpp"
 #include "view/imgui_adapter.hpp"
 
 namespace surefoot::platformer {
@@ -183,11 +185,11 @@ std::vector<Cell> prop_cells() {
     return cells;
 }
 
-std::shared_ptr<view::Model> floor_model() {
+std::shared_ptr<view::Model> floor_model(int half) {
     std::vector<vec3> vertices;
     std::vector<std::uint32_t> indices;
-    for (int x = -6; x < 6; ++x)
-        for (int z = -6; z < 6; ++z) {
+    for (int x = -half; x < half; ++x)
+        for (int z = -half; z < half; ++z) {
             const auto first = std::uint32_t(vertices.size());
             for (const auto& [dx, dz] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}})
                 vertices.emplace_back(x + dx, 0, z + dz);
@@ -201,6 +203,53 @@ std::shared_ptr<view::Model> floor_model() {
     });
 }
 
+/// How long a frame takes with everything in it that a game has, at 800x600 and with what the software renderer does.
+int measure() {
+    constexpr view::ivec2 size(800, 600);
+    auto display = view::Display::open({.size = size, .headless = true});
+    if (!display) {
+        std::fprintf(stderr, "%s\n", display.error().text.c_str());
+        return 1;
+    }
+    view::Renderer renderer;
+    renderer.effects = view::Effects::software();
+    const auto floor = floor_model(39);  // 12,168 triangles
+    const HeroPose hero_pose = posed(HeroAct::run, {.clock = 1, .stride = 0.3, .speed = 6.5});
+    for (const bool full : {false, true}) {
+        double best = 1e9;
+        double sum = 0;
+        constexpr int frames = 60;
+        for (int i = 0; i < frames; ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            view::FrameView frame;
+            frame.size = frame.framebuffer = size;
+            frame.camera.eye = {0, 3, -6};
+            frame.camera.forward = glm::normalize(dvec3(0, -0.3, 1));
+            renderer.begin(frame);
+            renderer.model(floor);
+            if (full) {
+                draw(renderer, hero_pose, hero_pose, 0.5);
+                for (int k = 0; k < 10; ++k) {
+                    const auto kind = static_cast<EnemyKind>(k % 4);
+                    const EnemyPose pose = enemy_at(kind, {k - 4.5, 0, 3.0 + k % 3}, 3.0);
+                    draw(renderer, pose, pose, 0.5);
+                }
+                for (int k = 0; k < 60; ++k)
+                    draw_coin(renderer, {(k % 10) * 1.2 - 5.4, 0.6, 5.0 + k / 10}, {.clock = i / 60.0});
+            }
+            renderer.end((*display)->framebuffer());
+            glFinish();
+            const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+            best = std::min(best, took.count());
+            sum += took.count();
+        }
+        std::printf("%s: %zu triangles, %zu pieces: %.1f ms a frame, %.1f at best\n",
+                    full ? "with a hero, 10 enemies, 60 coins" : "the level alone", renderer.counts().triangles,
+                    renderer.counts().pieces, sum / frames, best);
+    }
+    return 0;
+}
+
 int run(const std::string& path) {
     auto display = view::Display::open({.size = cell, .headless = true});
     if (!display) {
@@ -211,7 +260,7 @@ int run(const std::string& path) {
     letters.begin_frame(1.0 / 60);  // this loads the letters of the captions
     letters.end_frame();
     view::Renderer renderer;
-    const auto floor = floor_model();
+    const auto floor = floor_model(6);
     std::vector<view::CaptionedPicture> pictures;
     std::vector<Cell> cells = hero_cells();
     for (const auto& more : {enemy_cells(), prop_cells()}) cells.insert(cells.end(), more.begin(), more.end());
@@ -240,8 +289,9 @@ int run(const std::string& path) {
 
 int main(int argc, char** argv) {
     if (argc != 2) {
-        std::fputs("surefoot_hero_sheet PICTURE.png\n", stderr);
+        std::fputs("surefoot_hero_sheet PICTURE.png | --time\n", stderr);
         return 2;
     }
-    return surefoot::platformer::run(argv[1]);
+    const std::string what = argv[1];
+    return what == "--time" ? surefoot::platformer::measure() : surefoot::platformer::run(what);
 }

@@ -41,8 +41,8 @@ public:
         for (int i = 0; i < 8; ++i)
             vertices_.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
                                    (i & 4) != 0 ? high.z : low.z);
-        for (const std::uint32_t k : {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                                      2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6})
+        for (const std::uint32_t k : {0U, 4U, 6U, 0U, 6U, 2U, 1U, 3U, 7U, 1U, 7U, 5U, 0U, 1U, 5U, 0U, 5U, 4U,
+                                      2U, 6U, 7U, 2U, 7U, 3U, 0U, 2U, 3U, 0U, 3U, 1U, 4U, 5U, 7U, 4U, 7U, 6U})
             indices_.push_back(first + k);
         return *this;
     }
