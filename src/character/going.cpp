@@ -90,6 +90,10 @@ void fall(Tick& tick, double seconds) noexcept {
     const Vec before = tick.level(tick.velocity);
     const Travel travel = accelerate(before, dashes(tick) ? before : tick.wish, settings.air_acceleration, seconds);
     tick.glide(travel.way + tick.up * flight.rise, travel.velocity + tick.up * flight.speed);
+    // A slope that is met in the air does not make it rise faster than it did of itself: else it would skim up the
+    // slope for as long as it walks up it, and what rises does not land.
+    const double lift = dot(tick.velocity, tick.up) - larger(0, flight.speed);
+    if (lift > 0 && !tick.hooks.respond) tick.velocity = tick.velocity - tick.up * lift;
     if (dot(tick.velocity, tick.up) <= 0) tick.state.is_jumping = 0;
     land(tick, flight.speed);
 }
