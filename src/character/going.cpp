@@ -131,7 +131,7 @@ bool climb(Tick& tick) noexcept {
     std::size_t place = 0;
     while (const Touch* next = touches.at(place++)) {
         const Touch& touch = *next;
-        const SourceTriangle triangle = tick.surroundings.triangles()[touch.index];
+        const SourceTriangle triangle = tick.surroundings.triangle(touch.index);
         const double towards = -dot(touch.normal, ahead);
         if (touch.status != HitStatus::ok || !settings.surfaces[triangle.surface].ladder || towards < 0.5) continue;
         const double speed = tick.input.crouch ? -settings.ladder_speed : settings.ladder_speed;
