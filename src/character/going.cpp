@@ -101,6 +101,7 @@ void fall(Tick& tick, double seconds) noexcept {
 void move_freely(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
     tick.state.is_jumping = 0;
+    drop_ledge(tick);
     if (tick.input.mode == CharacterMode::own) {
         const OwnMotion answer = tick.hooks.move({.position = to_dvec3(tick.position),
                                                   .velocity = to_dvec3(tick.velocity),
