@@ -206,12 +206,10 @@ def the_clock_tower(k):
     k.coins(24.7, 24.7, 3, across0=8.8, up=5.6, up1=9.4)
     k.heart(18, 8.8, up=4.5)
     k.goal(18, 0, up=10.0)
-    k.far_islands([(-50, 30, 13), (-45, 110, 12), (40, -40, 11), (120, 40, 16), (150, 120, 12), (80, 190, 14), (-20, 170, 10),
-                   (160, -10, 10)], tree=False)
 
 
 if __name__ == "__main__":
     level = Level("Clockwork", "Ride what moves: ferries, lifts, discs, a wheel, a train.", order=2, par=120, palette=PALETTE,
-                  kill_y=-16, music="lively", sky="day", secret=False, stars_needed=0)
+                  kill_y=-9, music="lively", sky="day", far_towers=True, secret=False, stars_needed=0)
     level.play(the_yard, the_ferries, the_lift, the_discs, the_court, the_great_wheel, the_train, the_clock_tower)
     level.write()

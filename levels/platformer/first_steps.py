@@ -25,7 +25,7 @@ def the_meadow(k):
     k.patch(1, 22.6, 2.6)
     k.spawn(0)
     k.prompt(2, "{move} to run, {camera} to look around", long=12, width=16)
-    k.coins(7, 19, 5)
+    k.coins(7, 19, 4)
     for a, x, tall in ((-3, -6, 5.5), (5, 6.5, 4.5), (11, -6.6, 6), (17, 6.4, 5)):
         k.tree(a, x, tall=tall)
     k.rock(8, 4.6, size=1.0)
@@ -95,10 +95,10 @@ def the_steps(k):
     k.island(-0.6, 20, 12, up=-0.04, deep=9, chamfer=2)
     k.block(4, 16.5, 8, 0, 2.1, material="side", top="trim", chamfer=0.4)
     k.patch(4.6, 9.6, 6.8, up=2.1, material="top")
-    k.coins(2.4, 5, 4, up=1.0, up1=3.1, arc=0.9)
+    k.coins(2.4, 5, 3, up=1.0, up1=3.1, arc=0.9)
     k.block(10, 16.2, 7.2, 2.1, 4.2, material="side", top="trim", chamfer=0.4)
     k.patch(10.5, 15.7, 6.2, up=4.2, material="top")
-    k.coins(8.4, 11, 4, up=3.1, up1=5.2, arc=0.9)
+    k.coins(8.4, 11, 3, up=3.1, up1=5.2, arc=0.9)
     k.tree(1.5, 4.6, tall=4)
     k.bush(7, 2.8, up=2.1)
     k.bush(7.4, -2.9, up=2.1, size=0.5)
@@ -110,14 +110,14 @@ def the_steps(k):
 def the_wide_gaps(k):
     """Tested: two jumps over five metres of nothing. Slabs in white stone, and a beacon beyond."""
     k.beat("Wide gaps", "Too far for one jump, easy for two.", eye=(-7, 4, 4.5))
-    k.coins(0.5, 4.3, 5, up=1.1, arc=1.5)
+    k.coins(0.5, 4.3, 4, up=1.1, arc=1.5)
     k.slab(4.8, 9.4, 4.6, thick=0.8)
-    k.coins(9.9, 14.1, 5, across1=0.4, up=1.1, arc=1.6)
+    k.coins(9.9, 14.1, 4, across1=0.4, up=1.1, arc=1.6)
     k.slab(14.6, 19.4, 4.6, shift=0.6, up=0.2, thick=0.8)
     k.column(17, 8.2, 1.5, up=1.6, deep=4)   # a star above and beside the way
     k.star(17, 8.2, 2.7)
     k.coin(17, 5.0, 2.8)
-    k.coins(19.9, 23.5, 5, across0=0.6, across1=0, up=1.4, up1=1.9, arc=1.4)
+    k.coins(19.9, 23.5, 4, across0=0.6, across1=0, up=1.4, up1=1.9, arc=1.4)
     k.go(24.2, up=0.8)
     k.island(0, 15, 14, deep=9, chamfer=2.5)
     k.patch(1.2, 8.4, 2.4)
@@ -189,12 +189,10 @@ def the_way_down(k):
         k.bush(7, 4.4 * side)
     k.meadow(1, 14, 14, 14)
     k.goal(17.5)
-    k.far_islands([(-60, 20, 14), (-45, 85, 10), (30, -45, 12), (110, 20, 15), (140, 90, 12), (60, 150, 16), (-10, 140, 11),
-                   (150, -20, 10), (-70, -40, 12)])
 
 
 if __name__ == "__main__":
-    level = Level("First Steps", "Run, jump, jump again, hold on.", order=1, par=90, palette=PALETTE, kill_y=-14, music="calm",
+    level = Level("First Steps", "Run, jump, jump again, hold on.", order=1, par=90, palette=PALETTE, kill_y=-9, music="calm",
                   sky="day", secret=False, stars_needed=0)
     level.play(the_meadow, the_brook, the_stones, the_steps, the_wide_gaps, the_ledges, the_old_tower, the_way_down)
     level.write()

@@ -23,6 +23,8 @@ COMMON = {
     "spikes": dict(colour="#e8642c", deadly=1, glow=0.15),
     "spike base": dict(colour="#5a3a3a"),
     "ice": dict(colour="#a5def2", grip=0.06),
+    "ice rim": dict(colour="#d8f3fb", grip=0.06),
+    "belt arrow": dict(colour="#ffd76a"),
     "crumble": dict(colour="#c9a27c"),
     "crumble side": dict(colour="#8a6b52"),
     "red door": dict(colour="#c23b4a"), "red door trim": dict(colour="#7a2430"),
@@ -38,7 +40,7 @@ class Level(Pieces, Scenery, Things):
     """`palette` names the colours of the level's own materials: top, trim, side, rock, path, accent, leaf, light leaf,
     trunk, far, far top, machine, machine trim."""
 
-    def __init__(self, title, idea, order, par, palette, **extras):
+    def __init__(self, title, idea, order, par, palette, far_towers=False, **extras):
         bpy.ops.wm.read_factory_settings(use_empty=True)
         self.materials = {**COMMON, **{role: value if isinstance(value, dict) else dict(colour=value)
                                        for role, value in palette.items()}}
@@ -48,6 +50,8 @@ class Level(Pieces, Scenery, Things):
         self.checkpoints = self.beats = 0
         self.still, self.decor = Mesh(), Mesh()
         self.section = "start"
+        self.low, self.high = [1e9] * 3, [-1e9] * 3
+        self.far_towers = far_towers
         self.node("level", None, (0, 0, 0), kind="level", title=title, idea=idea, order=order, par=par, **extras)
 
     def play(self, *beats):
@@ -56,8 +60,13 @@ class Level(Pieces, Scenery, Things):
             self.section = beat.__name__.replace("_", " ")
             beat(self)
             self.close_section()
+        self.section = "horizon"
+        self.horizon(self.low, self.high)
+        self.close_section()
 
     def close_section(self):
+        for p in self.still.vertices:
+            self.low, self.high = [min(a, b) for a, b in zip(self.low, p)], [max(a, b) for a, b in zip(self.high, p)]
         if self.still.faces:
             self.node(f"ground: {self.section}", self.still, (0, 0, 0))
         if self.decor.faces:

@@ -4,6 +4,7 @@
 height of the top above the way's ground.
 """
 
+from .export import file_axes
 from .shapes import rectangle, ring
 
 LIP = 0.12   # how far a top stands out over its body
@@ -47,6 +48,27 @@ class Pieces:
         here = self.frame.moved((along0 + along1) / 2, shift, up)
         self.still.loft(here, rectangle(width, along1 - along0, chamfer), [(0.03, 0.03), (-0.1, 0)], [material],
                         top=material)
+
+    def belt(self, along0, along1, width, speed, shift=0.0, up=0.0):
+        """A conveyor on the ground: `speed` [m/s] along the way, or against it if negative. Arrows are only drawn."""
+        run = file_axes(self.frame.turn(speed))
+        name = f"belt {len([n for n in self.materials if n.startswith('belt')]) + 1}"
+        same = [n for n, m in self.materials.items() if n.startswith("belt") and m.get("conveyor") == run]
+        if not same:
+            self.materials[name] = dict(self.materials["machine"], conveyor=run)
+        self.patch(along0, along1, width, shift, up, material=same[0] if same else name, chamfer=0.1)
+        for edge in (-1, 1):
+            here = self.frame.moved((along0 + along1) / 2, shift + edge * (width / 2 + 0.12), up)
+            self.still.loft(here, rectangle(0.24, along1 - along0 + 0.1), [(0.16, 0.05), (0.1, 0), (-0.1, 0)], ["machine trim"] * 2, top="machine trim")
+        count = max(1, int((along1 - along0) / 1.6))
+        point = 0.35 if speed > 0 else -0.35
+        for i in range(count):
+            a = along0 + (along1 - along0) * (i + 0.5) / count
+            for side in (-1, 1):
+                here = self.frame.moved(0, shift, up + 0.045)
+                corners = [here.at(a + point, 0), here.at(a - point, 0.4 * side * width), here.at(a - point - 0.5 * point, 0.4 * side * width),
+                           here.at(a - 0.5 * point, 0)]
+                self.decor.face("belt arrow", *(corners if (side < 0) == (speed > 0) else corners[::-1]))
 
     def block(self, along0, along1, width, up0, up1, shift=0.0, material="side", top="trim", chamfer=0.0):
         """A plain body with a bevelled top; begins a little below up0."""
@@ -158,6 +180,14 @@ class Pieces:
         self.still.loft(here, rectangle(width + 2 * thick + 1.0, thick + 0.5, 0.15),
                         [(0.55, 0.1), (0.45, 0), (0.1, 0), (-0.02, 0.1)], ["trim", material, material], top="trim",
                         bottom=material)
+
+    def basin(self, along0, along1, width, deep, shift=0.0, rim=1.2, floor="path"):
+        """A trough for water: a floor at `deep` below the way, walls around it that end at the way's height."""
+        self.island(along0 - 0.2, along1 + 0.2, width + 2 * rim + 0.4, shift, up=-deep, deep=5, chamfer=1.2, top=floor, trim="side")
+        for edge in (-1, 1):
+            self.block(along0, along1, rim, -deep, 0, shift=shift + edge * (width + rim) / 2)
+        for a in (along0 + rim / 2, along1 - rim / 2):
+            self.block(a - rim / 2 + 0.03, a + rim / 2 - 0.03, width + 0.2, -deep, -0.05, shift=shift)
 
     def spikes(self, along0, along1, width, shift=0.0, up=0.0, tall=0.5):
         """A bed of spikes: deadly."""

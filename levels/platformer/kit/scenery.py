@@ -118,20 +118,23 @@ class Scenery:
             self.decor.loft(here.moved(lean[1] * 0.4, lean[0] * 0.4), ring(thin, 5), [(tall, thin, lean), (tall * 0.7, 0, (lean[0] * 0.7, lean[1] * 0.7)), (-0.1, thin * 0.3)],
                             [material, material])
 
-    def far_islands(self, places, up=-6.0, tree=True):
-        """Pale islands out of reach, as (x, y, radius) on the map: the level's horizon."""
-        for x, y, radius in places:
-            here = Frame(x, y, up + self.dice.uniform(-4, 8), self.dice.uniform(0, 90))
-            self.decor.loft(here, ring(radius, 9), [(0, 0.12 * radius), (-0.06 * radius, 0), (-0.5 * radius, 0.25 * radius),
-                                                    (-1.2 * radius, 0.8 * radius)], ["far top", "far", "far"], top="far top", bottom="far")
-            if tree:
-                for _ in range(3):
-                    spot = here.moved(self.dice.uniform(-0.5, 0.5) * radius, self.dice.uniform(-0.5, 0.5) * radius)
-                    tall = radius * self.dice.uniform(0.35, 0.8)
-                    self.decor.loft(spot, ring(tall * 0.3, 6), [(tall, tall * 0.3), (tall * 0.25, 0), (-0.3, tall * 0.15)], ["far top", "far"])
+    def horizon(self, low, high, count=9):
+        """Pale islands out of reach, all around the box of the level (x, y, z of its corners)."""
+        middle = [(a + b) / 2 for a, b in zip(low, high)]
+        for i in range(count):
+            turn = math.radians(360 / count * i + self.dice.uniform(-12, 12))
+            away, radius = self.dice.uniform(48, 80), self.dice.uniform(10, 17)
+            x, y = (m + c * ((h - l) / 2 + away + radius) for m, c, l, h in zip(middle, (math.cos(turn), math.sin(turn)), low, high))
+            self.far_island(Frame(x, y, low[2] + self.dice.uniform(0.1, 0.9) * (high[2] - low[2]) - 3, self.dice.uniform(0, 90)), radius)
+
+    def far_island(self, here, radius):
+        self.decor.loft(here, ring(radius, 9), [(0, 0.12 * radius), (-0.06 * radius, 0), (-0.5 * radius, 0.25 * radius), (-1.2 * radius, 0.8 * radius)],
+                        ["far top", "far", "far"], top="far top", bottom="far")
+        for _ in range(3):
+            spot = here.moved(self.dice.uniform(-0.5, 0.5) * radius, self.dice.uniform(-0.5, 0.5) * radius)
+            tall = radius * self.dice.uniform(0.4, 0.9)
+            if self.far_towers:
+                self.decor.loft(spot, rectangle(radius * 0.28, radius * 0.28), [(tall * 1.4, 0.03 * radius), (tall * 1.37, 0), (-0.3, 0)],
+                                ["far top", "far"], top="far top")
             else:
-                for _ in range(2):
-                    spot = here.moved(self.dice.uniform(-0.4, 0.4) * radius, self.dice.uniform(-0.4, 0.4) * radius)
-                    tall = radius * self.dice.uniform(0.6, 1.6)
-                    self.decor.loft(spot, rectangle(radius * 0.3, radius * 0.3, radius * 0.05), [(tall, 0.03 * radius), (tall * 0.97, 0), (-0.3, 0)],
-                                    ["far top", "far"], top="far top")
+                self.decor.loft(spot, ring(tall * 0.3, 6), [(tall, tall * 0.3), (tall * 0.25, 0), (-0.3, tall * 0.15)], ["far top", "far"])
