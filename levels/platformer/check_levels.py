@@ -119,7 +119,8 @@ def check_footing(level):
         below = level.height_above_ground(node.place, all_stops=True)
         if below is not None and 0.3 <= below <= 2.5 or level.in_water(node.place):
             continue
-        if not level.ground_within(node.place, 3.6, 3.2) and not level.beside_way(node.place, 3.2):
+        if not level.ground_within(node.place, 3.6, 3.2) and not level.beside_way(node.place, 3.2) \
+                and not level.falls_past(node.place):
             yield f"'{node.name}' is out of reach: no ground near"
     low, high = level.box()
     kill = level.of("level")[0].extras.get("kill_y", 0) if level.of("level") else 0

@@ -61,7 +61,7 @@ def the_burrow(k):
     k.prompt(4, "{crouch} to crouch", long=8, width=12)
     k.patch(1.2, 9, 2.6)
     for edge in (-1, 1):
-        k.wall(10.0, 14.0, 5.6, 0, 6.4, shift=4.75 * edge, material="side")
+        k.wall(10.0, 14.0, 10.0, 0, 6.4, shift=6.95 * edge, material="side")
     k.tunnel(10.2, 13.8, 2.6, 1.15, roof="side", thick=0.5)
     k.wall(10.1, 13.9, 3.8, 1.7, 6.1, material="side")
     k.coins(10.8, 13.2, 3, up=0.5)
@@ -145,7 +145,7 @@ def the_cold_store(k):
     k.tunnel(3.6, 9.0, 3.2, 1.15, up=-0.04, roof="side", thick=0.5)
     k.wall(3.5, 9.1, 4.5, 1.75, 5.6, material="side")
     for edge in (-1, 1):
-        k.wall(3.4, 9.2, 4.3, 0, 6.0, shift=4.6 * edge, material="side")
+        k.wall(3.4, 9.2, 8.6, 0, 6.0, shift=6.75 * edge, material="side")
     k.way(2.6, (10.4, 0, 0), "crouch")
     k.coins(4.5, 8, 3, up=0.55)
     k.patch(11.5, 30, 8.4, up=-0.04, material="ice", chamfer=1)

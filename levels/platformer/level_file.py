@@ -133,6 +133,14 @@ class Level:
                     return True
         return False
 
+    def falls_past(self, place):
+        """Is there ground beside the place and not lower, to fall from, and ground below it to fall on to?"""
+        below = self.ground_below(place)
+        return below is not None and place[1] - below < 18 and any(
+            up and -1.5 < h - place[1] < 25
+            for r in (2, 4, 6, 8) for turn in range(0, 360, 20)
+            for h, up, _ in self.crossings(place[0] + r * math.cos(math.radians(turn)), place[2] + r * math.sin(math.radians(turn))))
+
     def beside_way(self, place, near):
         """Is the place near the straight line of a way that needs a manoeuvre?"""
         for way in self.of("way"):

@@ -27,7 +27,7 @@ def pool(k, along0, along1, width, deep, rim=1.2):
 
 def the_lagoon(k):
     """Taught: swimming. A lagoon with a ramp out of it, and coins that lead down and up again."""
-    k.beat("The lagoon", "In, down to the coins, and out by the ramp.", eye=(-4, -6, 5), look=(15, 1, -1))
+    k.beat("The lagoon", "In, down to the coins, and out by the ramp.", eye=(-4.5, -3, 5), look=(15, 1, -1))
     k.island(-6, 9, 18, deep=9, chamfer=3)
     k.spawn(-2.5)
     k.prompt(5, "In water: {jump} rises, {crouch} dives", long=8, width=16)
@@ -53,16 +53,16 @@ def the_lagoon(k):
 
 def the_sluice(k):
     """Tested: a wall in the water. The way is under it."""
-    k.beat("The sluice", "Over it nobody gets. Look below.", eye=(-5, -4.5, 4.5), look=(12, 0, -1))
+    k.beat("The sluice", "Over it nobody gets. Look below.", eye=(-4, -1.5, 4.5), look=(12, 0, -1))
     k.island(0, 8, 14, deep=9, chamfer=2)
     k.checkpoint(4, "The sluice")
     k.palm(2, 5, tall=5.5)
     k.palm(6, -5.2, tall=6)
     k.go(7.6)
     pool(k, 0, 20, 9, 5.4)
-    k.wall(7.6, 8.6, 17, -2.9, 5.4, material="side")
+    k.wall(7.6, 8.6, 23, -2.9, 5.4, material="side")
     for edge in (-1, 1):
-        k.block(7.2, 9.0, 3.2, -5.4, -2.9, shift=edge * 3.0, material="accent", top="accent")
+        k.block(7.2, 9.0, 3.2, -5.3, -2.9, shift=edge * 3.0, material="accent", top="accent")
     k.way(0.6, (19.5, 0, 0), "swim")
     k.coins(3, 8, 4, up=-1.2, up1=-4.2)
     k.coins(9.5, 13, 3, up=-4.0, up1=-2.2)
@@ -71,7 +71,7 @@ def the_sluice(k):
 
 def the_jetty(k):
     """Taught: boards that fall. Below is water, and a ramp back."""
-    k.beat("The jetty", "Old boards: do not linger.", eye=(-5, -5, 4.5), look=(11, 0, 0))
+    k.beat("The jetty", "Old boards: do not linger.", eye=(-4, -2, 4.5), look=(11, 0, 0))
     k.island(0, 8, 14, deep=9, chamfer=2)
     k.prompt(4, "Cracked boards fall: keep going", long=7, width=12)
     k.palm(2.4, -5, tall=5)
@@ -87,7 +87,7 @@ def the_jetty(k):
 
 def the_old_bridge(k):
     """Tested: the same boards over the deep, with one rock in the middle to breathe on."""
-    k.beat("The old bridge", "Run, jump, run.", eye=(-5, 5, 5), look=(13, 0, -0.5))
+    k.beat("The old bridge", "Run, jump, run.", eye=(-4, 2, 4.5), look=(13, 0, -0.5))
     k.island(0, 9, 14, deep=9, chamfer=2)
     k.checkpoint(4.5, "The old bridge")
     k.palm(3, 5, tall=6)
@@ -109,7 +109,7 @@ def the_old_bridge(k):
 
 def the_narrows(k):
     """Taught: the dash. Eight metres of water between two jetties; who falls short swims."""
-    k.beat("The narrows", "Jump, jump again, dash.", eye=(-5, -5, 4.5), look=(12, 0, 0))
+    k.beat("The narrows", "Jump, jump again, dash.", eye=(-4, 1.5, 4.5), look=(12, 0, 0))
     k.island(0, 10, 14, deep=9, chamfer=2)
     k.prompt(6, "{dash} to dash, also in the air", long=8, width=12)
     k.checkpoint(4, "The narrows")
@@ -133,7 +133,7 @@ def the_narrows(k):
 
 def the_teeth(k):
     """Tested: dashes over the deep, and on the island between them something that jumps as well."""
-    k.beat("The teeth", "Jump, jump, dash; mind the jumper.", eye=(-5, 5, 5), look=(13, 0, 0))
+    k.beat("The teeth", "Jump, jump, dash; mind the jumper.", eye=(-3, -2, 4.5), look=(13, 0, 0))
     k.way(-0.6, (7.9, 0, 0), "dash")
     k.coins(1.2, 6.2, 4, up=1.6, arc=1.4)
     k.go(7.2)
@@ -156,20 +156,21 @@ def the_teeth(k):
 
 def the_well(k):
     """Twisted: a tower full of water. In at its foot, up through the middle, out over its rim."""
-    k.beat("The well", "Swim up.", eye=(-6, -6, 5), look=(12, 0, 4))
+    k.beat("The well", "Swim up.", eye=(-3, -3.5, 4), look=(12, 0, 4))
     k.island(0, 19, 16, deep=10, chamfer=2.5)
     k.prompt(4, "{jump} swims up", long=7, width=12)
     tall = 9.6
     for edge in (-1, 1):
         k.wall(6.5, 13.7, 1.0, 0, tall, shift=3.1 * edge, material="side")
-        k.wall(6.52, 7.42, 1.6, 0, 3.4, shift=1.9 * edge, material="accent")
-    k.wall(6.5, 7.4, 5.4, 3.4, tall - 0.02, material="side")
-    k.wall(12.8, 13.7, 5.4, 0, tall - 0.6, material="side")
+        k.wall(6.65, 7.31, 1.6, 0.01, 3.4, shift=1.9 * edge, material="accent")
+    k.wall(6.56, 7.4, 5.4, 3.43, tall - 0.04, material="side")
+    k.wall(12.8, 13.66, 5.4, 0.02, tall - 0.72, material="side")
     k.water(7.3, 12.9, 5.3, tall - 0.75, tall - 0.7)
-    k.block(11.6, 12.9, 5.3, tall - 2.2, tall - 1.55, material="accent", top="path")
-    k.way(5.6, (13.3, 0, tall - 0.6), "swim")
+    k.block(11.4, 12.9, 5.3, tall - 2.2, tall - 1.5, material="accent", top="path")
+    k.block(12.2, 12.95, 5.34, tall - 2.0, tall - 1.1, material="accent", top="path")
+    k.way(5.6, (13.3, 0, tall - 0.72), "swim")
     k.coins(10, 10, 5, up=1.4, up1=tall - 1.6)
-    k.slab(13.9, 19.4, 5, up=tall - 1.4, thick=0.7)
+    k.slab(13.6, 19.4, 5, up=tall - 1.4, thick=0.7)
     for edge in (-1, 1):
         k.palm(4, 6 * edge, tall=6)
     k.rock(17, 5.5, size=1.2)

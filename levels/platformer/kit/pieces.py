@@ -185,9 +185,9 @@ class Pieces:
         """A trough for water: a floor at `deep` below the way, walls around it that end at the way's height."""
         self.island(along0 - 0.2, along1 + 0.2, width + 2 * rim + 0.4, shift, up=-deep, deep=5, chamfer=1.2, top=floor, trim="side")
         for edge in (-1, 1):
-            self.block(along0, along1, rim, -deep, 0, shift=shift + edge * (width + rim) / 2)
+            self.block(along0, along1, rim, -deep, -0.025, shift=shift + edge * (width + rim) / 2)
         for a in (along0 + rim / 2, along1 - rim / 2):
-            self.block(a - rim / 2 + 0.03, a + rim / 2 - 0.03, width + 0.2, -deep, -0.05, shift=shift)
+            self.block(a - rim / 2 + 0.03, a + rim / 2 - 0.03, width + 0.2, -deep + 0.06, -0.05, shift=shift)
 
     def spikes(self, along0, along1, width, shift=0.0, up=0.0, tall=0.5):
         """A bed of spikes: deadly."""
