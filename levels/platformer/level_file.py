@@ -142,9 +142,11 @@ class Level:
             for h, up, _ in self.crossings(place[0] + r * math.cos(math.radians(turn)), place[2] + r * math.sin(math.radians(turn))))
 
     def beside_way(self, place, near):
-        """Is the place near the straight line of a way that needs a manoeuvre?"""
+        """Is the place near the line of a way that needs a manoeuvre? One that is thrown flies above that line."""
         for way in self.of("way"):
             to, off = way.extras["to"], minus(place, way.place)
+            if way.extras["how"] == "bounce" and 0 <= off[1] <= 7:
+                to, off = (to[0], 0, to[2]), (off[0], 0, off[2])
             share = min(1, max(0, dot(off, to) / (dot(to, to) or 1)))
             rest = minus(off, [share * x for x in to])
             if dot(rest, rest) <= near * near:

@@ -164,7 +164,7 @@ def the_well(k):
         k.wall(6.5, 13.7, 1.0, 0, tall, shift=3.1 * edge, material="side")
         k.wall(6.65, 7.31, 1.6, 0.01, 3.4, shift=1.9 * edge, material="accent")
     k.wall(6.56, 7.4, 5.4, 3.43, tall - 0.04, material="side")
-    k.wall(12.8, 13.66, 5.4, 0.02, tall - 0.72, material="side")
+    k.wall(12.8, 13.6, 5.4, 0.03, tall - 0.72, material="side")
     k.water(7.3, 12.9, 5.3, tall - 0.75, tall - 0.7)
     k.block(11.4, 12.9, 5.3, tall - 2.2, tall - 1.5, material="accent", top="path")
     k.block(12.2, 12.95, 5.34, tall - 2.0, tall - 1.1, material="accent", top="path")
