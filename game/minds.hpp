@@ -1,0 +1,52 @@
+/// How enemies find their ways: one navigation mesh for all of them, and a follower each.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <surefoot/navigation_follow.hpp>
+#include <surefoot/navigation_mesh.hpp>
+#include <surefoot/navigation_query.hpp>
+#include <surefoot/world.hpp>
+
+#include "game/level.hpp"
+#include "game/things.hpp"
+
+namespace surefoot::game {
+
+/// The still ground is in layer 1 of the world, what moves in layer 2.
+inline constexpr std::uint64_t still_layer = 1;
+inline constexpr std::uint64_t moving_layer = 2;
+
+/// All enemies have the same body, so that one mesh serves them; they are drawn as they like.
+[[nodiscard]] CharacterSettings enemy_settings(std::span<const SurfaceRule> rules);
+
+class EnemyMinds {
+public:
+    /// Null where nobody needs to walk. Fails as building a navigation mesh does.
+    [[nodiscard]] static Expected<std::unique_ptr<EnemyMinds>> make(const Level& level, const World& world);
+
+    /// Another follower; its number.
+    [[nodiscard]] std::uint32_t add();
+
+    /// What an enemy does to get to a place.
+    [[nodiscard]] CharacterInput go(const Enemy& enemy, const dvec3& feet, double speed);
+
+    /// It was moved by force: it plans anew.
+    void forget(const Enemy& enemy);
+    [[nodiscard]] bool has_arrived(const Enemy& enemy) const;
+    [[nodiscard]] bool gave_up(const Enemy& enemy) const;
+
+    [[nodiscard]] const CharacterSettings& settings() const { return settings_; }
+    [[nodiscard]] const NavigationMesh& mesh() const { return mesh_; }
+
+private:
+    EnemyMinds(const CharacterSettings& settings, NavigationMesh mesh);
+
+    CharacterSettings settings_;
+    NavigationMesh mesh_;
+    NavigationQuery query_;
+    std::vector<NavigationFollower> followers_;
+};
+
+}  // namespace surefoot::game

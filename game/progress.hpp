@@ -1,0 +1,40 @@
+/// What a player has done so far: best times, stars, what is open. Kept as JSON, whole or not at all.
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+
+#include <surefoot/error.hpp>
+
+#include "game/game.hpp"
+
+namespace surefoot::game {
+
+struct LevelProgress {
+    bool won = false;
+    double best_seconds = 0;  ///< 0: none yet
+    Medal medal = Medal::none;
+    int best_coins = 0;
+    std::set<std::uint32_t> stars;  ///< which, by their order among the level's stars
+    std::uint32_t runs = 0;
+    std::uint32_t deaths = 0;
+};
+
+struct Progress {
+    std::map<std::string, LevelProgress> levels;  ///< by `Level::id`
+
+    [[nodiscard]] int stars() const;
+    /// The first level is open; each next when the one before it is won; a secret one by its stars. `all` is in the
+    /// order of playing.
+    [[nodiscard]] bool is_open(const Level& level, std::span<const Level* const> all) const;
+    /// A game is over, or left. Returns whether its time is a new best.
+    bool add(const Game& game);
+};
+
+/// Empty progress if there is no file. Fails with `unreadable` for one that is damaged; the text says what to do.
+[[nodiscard]] Expected<Progress> read_progress(const std::string& path);
+[[nodiscard]] Expected<void> write_progress(const std::string& path, const Progress& progress);
+
+}  // namespace surefoot::game
