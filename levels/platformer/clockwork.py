@@ -132,28 +132,25 @@ def the_court(k):
 
 
 def the_great_wheel(k):
-    """Twisted: boards that go in a circle, upright. Up and over; at its height a star is one jump away."""
+    """Twisted: a wheel that ticks on, stop by stop. Up and over; from its height a star is two jumps away."""
     k.beat("The great wheel", "On at the near side, off at the far side.", eye=(-2, -7.5, 4), look=(9, 0, 3))
-    r, count, corners = 5.2, 6, 24
-    hub = (8.2, 2.2)
+    r, count = 5.2, 6
+    hub = (8.2, 1.2)
+    turns = [math.radians(180 - 360 / count * i) for i in range(count)]
+    stops = [(hub[0] + r * math.cos(turn), hub[1] + r * math.sin(turn)) for turn in turns]
     boards = []
-    for i in range(count):
-        ride = []
-        for step in range(corners):
-            turn = math.radians(180 - 360 / count * i - 360 / corners * step)
-            ride.append((hub[0] + r * math.cos(turn), hub[1] + r * math.sin(turn)))
-        (a0, u0) = ride[0]
-        boards.append(k.platform(a0, 0, u0, to=[(a - a0, 0, u - u0) for a, u in ride[1:]], long=2.4, width=3.4,
-                                 speed=2.0, pause=0, loop="round"))
-    k.way(-0.8, (16.6, 0, 2.0), "ride", by=boards[0])
-    k.gear(hub[0], -3.0, hub[1], 3.6, teeth=16, facing="right")
-    k.gear(hub[0], 2.5, hub[1], 3.6, teeth=16, facing="right")
-    for side in (-2.6, 2.6):
-        k.column(hub[0], side, 0.7, up=hub[1] - 3.4, deep=12, corners=8)
-    k.coins(4.6, 11.8, 4, up=8.2, arc=1.0)
-    k.column(hub[0] + 1.5, 6.4, 1.3, up=8.0, deep=18, corners=8)
-    k.star(hub[0] + 1.5, 6.4, 9.1)
-    k.go(15.4, up=2.0)
+    for i, (a, up) in enumerate(stops):  # each begins at another stop, and all tick on together
+        ride = stops[i + 1:] + stops[:i]
+        boards.append(k.platform(a, 0, up, to=[(b - a, 0, v - up) for b, v in ride], long=2.6, width=3.6, speed=2.8,
+                                 pause=1.0, loop="round"))
+    k.way(-0.8, (16.6, 0, 1.0), "ride", by=boards[0])
+    for x in (-3.2, 2.7):
+        k.gear(hub[0], x, hub[1], 3.6, teeth=14, facing="right")
+        k.column(hub[0], x - 0.25, 0.7, up=hub[1] - 3.4, deep=12, corners=8)
+    k.coins(5.6, 10.8, 4, up=6.9, arc=0.5)
+    k.column(hub[0] + 2.6, 6.4, 1.4, up=6.6, deep=18, corners=8)
+    k.star(hub[0] + 2.6, 6.4, 7.7)
+    k.go(15.4, up=1.0)
     k.island(0, 13, 13, deep=10, chamfer=2.5)
     k.patch(1.2, 8, 2.4)
     k.tree(3, 4.6, tall=5)

@@ -172,7 +172,7 @@ def the_back_stairs(k):
     k.patch(9.1, 16.0, 7.2, up=5.2, material="top")
     k.way(5.6, (10.4, 0, 5.23), "wall_jump")
     k.coins(7, 7.8, 3, up=1.4, up1=5.0)
-    k.camera(4, 9, 5, 9, pitch=-25, distance=6.5)
+    k.camera(4, 9, 5, 9, pitch=25, distance=6.5)
     k.column(22, -10, 2.0, up=6.4, deep=12)
     k.enemy("shooter", 22, -10, 6.4, sight=15, leash=4)
     k.wall(12.4, 13.2, 3, 5.2, 7.0, shift=0, material="accent")

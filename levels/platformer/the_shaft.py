@@ -88,7 +88,7 @@ def the_shaft(k):
     k.way(9.6, (13.6, 1.0, 5.43), "wall_jump", across=1.0)
     k.coins(9.6, 11, 4, across0=1.0, up=1.4, up1=5.6)
     k.heart(4, -1.6, 0.9)
-    k.camera(6, 13, 5, 9, pitch=-25, distance=6.5, up=0)
+    k.camera(6, 13, 5, 9, pitch=25, distance=6.5, up=0)
     k.go(19, up=5.4)
     corner(k, "The open shaft")
 
@@ -103,7 +103,7 @@ def the_open_shaft(k):
     k.patch(12.9, 16.4, 4.2, up=5.14, material="top")
     k.way(4.6, (13.8, 1.0, 5.23), "wall_jump", across=0.8)
     k.coins(9.4, 11.2, 4, across0=0.95, up=0.6, up1=5.4)
-    k.camera(6, 13, 5, 10, pitch=-25, distance=6.5, up=0)
+    k.camera(6, 13, 5, 10, pitch=25, distance=6.5, up=0)
     k.go(19, up=5.2)
     corner(k, "The gallery")
 
@@ -163,7 +163,7 @@ def the_chimney(k):
     k.slab(7.6, 10.6, 2.2, shift=-5.6, up=12.0, thick=0.6)    # a star above the outer wall's head
     k.star(9, -5.6, 13.1)
     k.coin(9.2, -3.2, 12.8)
-    k.camera(6, 13, 5, 12, pitch=-25, distance=6.5, up=0)
+    k.camera(6, 13, 5, 12, pitch=25, distance=6.5, up=0)
     k.go(19, up=9.4)
     corner(k)
 

@@ -10,8 +10,8 @@ class Things:
     # Marks.
 
     def mark(self, kind, along, across, up, node=None, **extras):
-        # Only what looks somewhere is turned: +Z of the file looks along the way. All else keeps the file's axes.
-        heading = 180 - self.frame.heading if kind in ("spawn", "checkpoint") else 0
+        # Only what looks somewhere is turned: -Z of the file looks along the way. All else keeps the file's axes.
+        heading = -self.frame.heading if kind in ("spawn", "checkpoint") else 0
         self.node(node or self.numbered(kind), None, self.frame.at(along, across, up), heading=heading, kind=kind,
                   **extras)
 
@@ -63,6 +63,7 @@ class Things:
                   to=self.offset(to[0] - along, to[1] - across, to[2] - up), **extras)
 
     def camera(self, along0, along1, width, tall, pitch, distance, yaw=None, across=0.0, up=0.0):
+        """Within this box the camera stands behind, or at `yaw`, and looks down by `pitch`."""
         self.mark("camera", (along0 + along1) / 2, across, up + tall / 2, size=self.size(along1 - along0, width, tall),
                   yaw=round((-self.frame.heading if yaw is None else yaw) % 360, 1), pitch=pitch, distance=distance)
 
