@@ -50,17 +50,18 @@ Samples touch(const Footing& ground, Random& random, double weight) {
     const double pitch = random.between(0.9, 1.12);
     Samples made = thump(ground.thump * 1.9 * pitch, ground.thump * pitch, ground.thump_half_life, 0.16);
     for (float& sample : made) sample *= static_cast<float>(ground.thump_gain * weight);
-    add(made, puff(random, ground.scrape * pitch, ground.q, ground.scrape_half_life * random.between(0.8, 1.3), 0.16), 0,
-        ground.scrape_gain);
+    add(made, puff(random, ground.scrape * pitch, ground.q, ground.scrape_half_life * random.between(0.8, 1.3), 0.16),
+        0, ground.scrape_gain);
     for (const double ring : ground.rings) {
         Decay fade(ground.ring_half_life * random.between(0.7, 1.2));
         const double frequency = ring * pitch * random.between(0.98, 1.02), share = random.between(0.5, 1);
         double phase = 0;
-        add(made, generate(0.3,
-                           [&](double) {
-                               phase += frequency / rate;
-                               return share * fade.next() * sine(phase);
-                           }),
+        add(made,
+            generate(0.3,
+                     [&](double) {
+                         phase += frequency / rate;
+                         return share * fade.next() * sine(phase);
+                     }),
             0, ground.ring_gain);
     }
     for (int i = 0; i < ground.grains; ++i) {

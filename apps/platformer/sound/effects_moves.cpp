@@ -13,12 +13,13 @@ Samples hop(Random& random, double from, double to, double seconds) {
     const double pitch = random.between(0.96, 1.05);
     Oscillator tone(Wave::triangle), octave(Wave::sine);
     Filter air(2400, 0.8);
-    Envelope envelope({.attack = 0.012, .decay = seconds / 3, .sustain = 0.2, .release = seconds * 0.45}, seconds * 0.55);
+    Envelope envelope({.attack = 0.012, .decay = seconds / 3, .sustain = 0.2, .release = seconds * 0.45},
+                      seconds * 0.55);
     return generate(seconds, [&](double t) {
         const double share = t / seconds, frequency = pitch * mix(from, to, 1 - (1 - share) * (1 - share));
         const double level = envelope.next();
-        return level * (0.6 * tone.next(frequency) + 0.15 * octave.next(2 * frequency) +
-                        0.22 * air.next(random.noise()).band);
+        return level *
+               (0.6 * tone.next(frequency) + 0.15 * octave.next(2 * frequency) + 0.22 * air.next(random.noise()).band);
     });
 }
 
@@ -75,11 +76,12 @@ Samples stomp(Random& random) {
     Oscillator squeak(Wave::square, 0, 0.3);
     Filter soft(2500, 0.8);
     Envelope envelope({.attack = 0.01, .decay = 0.05, .sustain = 0.3, .release = 0.09}, 0.08);
-    add(made, generate(0.17,
-                       [&](double t) {
-                           const double frequency = pitch * (900 - 3600 * t + 6000 * t * t);
-                           return envelope.next() * soft.next(squeak.next(frequency)).low;
-                       }),
+    add(made,
+        generate(0.17,
+                 [&](double t) {
+                     const double frequency = pitch * (900 - 3600 * t + 6000 * t * t);
+                     return envelope.next() * soft.next(squeak.next(frequency)).low;
+                 }),
         0.03, 0.35);
     return made;
 }

@@ -75,10 +75,10 @@ Samples door(Random& random) {
 
 Samples checkpoint() {
     using enum Instrument;
-    const Samples dry = tune(std::array{
-        Tone{0, {67, 0.3, 0.7}, vibraphone}, Tone{0, {74, 0.3, 0.6}, vibraphone}, Tone{0.13, {72, 0.9, 0.8}, vibraphone},
-        Tone{0.13, {76, 0.9, 0.7}, vibraphone}, Tone{0.13, {79, 0.9, 0.7}, vibraphone}, Tone{0.13, {91, 0.4, 0.4}, bell},
-        Tone{0.21, {86, 0.4, 0.35}, bell}});
+    const Samples dry = tune(std::array{Tone{0, {67, 0.3, 0.7}, vibraphone}, Tone{0, {74, 0.3, 0.6}, vibraphone},
+                                        Tone{0.13, {72, 0.9, 0.8}, vibraphone}, Tone{0.13, {76, 0.9, 0.7}, vibraphone},
+                                        Tone{0.13, {79, 0.9, 0.7}, vibraphone}, Tone{0.13, {91, 0.4, 0.4}, bell},
+                                        Tone{0.21, {86, 0.4, 0.35}, bell}});
     return in_room(dry, 1, 0.2);
 }
 

@@ -3,7 +3,6 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,13 +23,17 @@ double gain_of(double slider) {
     return share * share;
 }
 
-bool is_finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 std::array<ALfloat, 3> floats(const dvec3& v) {
     return {static_cast<ALfloat>(v.x), static_cast<ALfloat>(v.y), static_cast<ALfloat>(v.z)};
 }
 
-Error cannot(ErrorCode code, std::string text) { return {code, std::move(text), "", 0}; }
+Error cannot(ErrorCode code, std::string text) {
+    return {code, std::move(text), "", 0};
+}
 
 }  // namespace
 
@@ -40,7 +43,7 @@ struct Mixer::Parts {
     LPALCRENDERSAMPLESSOFT render = nullptr;
     bool tells_when_gone = false;
     Voices voices{voices_at_once};
-    std::vector<ALuint> sources;                        ///< one a slot of `voices`
+    std::vector<ALuint> sources;                          ///< one a slot of `voices`
     std::array<std::vector<ALuint>, effect_count> ready;  ///< buffers, by variation
     std::array<int, effect_count> turn{};                 ///< which variation is next
     Listener listener;
@@ -102,8 +105,8 @@ Expected<Mixer> Mixer::open(Output output) {
         return tl::unexpected(cannot(ErrorCode::not_found, "No sound: OpenAL finds no device to play it on."));
     }
     // Many sounds at once are held down together rather than cut off one by one.
-    const std::array<ALCint, 9> attributes{ALC_FREQUENCY, rate,      ALC_OUTPUT_LIMITER_SOFT, ALC_TRUE, wanted[0],
-                                           wanted[1],     wanted[2], wanted[3],               0};
+    const std::array<ALCint, 9> attributes{
+        ALC_FREQUENCY, rate, ALC_OUTPUT_LIMITER_SOFT, ALC_TRUE, wanted[0], wanted[1], wanted[2], wanted[3], 0};
     parts->context = alcCreateContext(parts->device, attributes.data());
     if (parts->context == nullptr || alcMakeContextCurrent(parts->context) == ALC_FALSE) {
         return tl::unexpected(cannot(ErrorCode::unsupported, "No sound: the device cannot be used by OpenAL."));
@@ -177,8 +180,7 @@ void Mixer::set_volumes(const Volumes& volumes) {
     p.volumes = volumes;
     alListenerf(AL_GAIN, static_cast<ALfloat>(gain_of(volumes.master)));
     for (auto it = p.voices.playing().begin(); it != p.voices.playing().end(); ++it) {
-        alSourcef(p.sources[it.handle().index], AL_GAIN,
-                  static_cast<ALfloat>((*it).gain * gain_of(volumes.effects)));
+        alSourcef(p.sources[it.handle().index], AL_GAIN, static_cast<ALfloat>((*it).gain * gain_of(volumes.effects)));
     }
 }
 
@@ -236,7 +238,9 @@ bool Mixer::prepare_one() {
     return false;
 }
 
-std::uint32_t Mixer::playing() const { return parts_->voices.playing().size(); }
+std::uint32_t Mixer::playing() const {
+    return parts_->voices.playing().size();
+}
 
 void Mixer::mixed(std::span<float> stereo) {
     parts_->render(parts_->device, stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));

@@ -153,9 +153,13 @@ Score read(Piece piece) {
 
 }  // namespace
 
-std::string_view name_of(Piece piece) { return names[static_cast<std::size_t>(piece)]; }
+std::string_view name_of(Piece piece) {
+    return names[static_cast<std::size_t>(piece)];
+}
 
-std::string_view text_of(Piece piece) { return texts[static_cast<std::size_t>(piece)]; }
+std::string_view text_of(Piece piece) {
+    return texts[static_cast<std::size_t>(piece)];
+}
 
 const Score& score_of(Piece piece) {
     static const std::array<Score, piece_count> scores{read(Piece::calm), read(Piece::lively)};

@@ -1,10 +1,10 @@
 // The effects, by what can be measured of them.
-#include <gtest/gtest.h>
+#include "platformer/sound/effects.hpp"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numeric>
 
-#include "platformer/sound/effects.hpp"
 #include "platformer/sound/measure.hpp"
 #include "platformer/sound/wav.hpp"
 

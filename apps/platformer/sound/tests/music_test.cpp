@@ -1,9 +1,8 @@
 // The two pieces, as the band plays them.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <gtest/gtest.h>
 
 #include "platformer/sound/band.hpp"
 #include "platformer/sound/measure.hpp"
