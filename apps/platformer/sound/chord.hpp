@@ -13,8 +13,8 @@ struct Chord {
     int bass = 0;              ///< the same for the lowest note: the root, or what stands behind the stroke
     std::vector<int> degrees;  ///< semitones above the root, ascending, beginning with 0
 
-    /// What the nth degree of its scale is in this chord, in semitones above the root: 3 is the third that it has, minor
-    /// or major. [1 to 8]
+    /// What the nth degree of its scale is in this chord, in semitones above the root: 3 is the third that it has,
+    /// minor or major. [1 to 8]
     [[nodiscard]] int degree(int number) const;
 };
 

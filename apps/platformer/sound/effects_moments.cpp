@@ -35,12 +35,12 @@ Samples death(Random& random) {
     Oscillator tone(Wave::triangle), under(Wave::square, 0, 0.4);
     Filter soft(1500, 0.8);
     Envelope envelope({.attack = 0.01, .decay = 0.3, .sustain = 0.4, .release = 0.35}, 0.4);
-    add(dry, generate(0.75,
-                      [&](double t) {
-                          const double frequency = hertz(62 - 10 * t * t) * (1 + 0.012 * sine(6 * t));
-                          return envelope.next() *
-                                 soft.next(0.5 * tone.next(frequency) + 0.25 * under.next(frequency)).low;
-                      }),
+    add(dry,
+        generate(0.75,
+                 [&](double t) {
+                     const double frequency = hertz(62 - 10 * t * t) * (1 + 0.012 * sine(6 * t));
+                     return envelope.next() * soft.next(0.5 * tone.next(frequency) + 0.25 * under.next(frequency)).low;
+                 }),
         at);
     add(dry, thump(120, 45, 0.09, 0.5), at + 0.05, 0.8);
     add(dry, puff(random, 350, 0.6, 0.06, 0.3), at + 0.05, 0.3);

@@ -13,12 +13,13 @@ Samples hop(Random& random, double from, double to, double seconds) {
     const double pitch = random.between(0.96, 1.05);
     Oscillator tone(Wave::triangle), octave(Wave::sine);
     Filter air(2400, 0.8);
-    Envelope envelope({.attack = 0.012, .decay = seconds / 3, .sustain = 0.2, .release = seconds * 0.45}, seconds * 0.55);
+    Envelope envelope({.attack = 0.012, .decay = seconds / 3, .sustain = 0.2, .release = seconds * 0.45},
+                      seconds * 0.55);
     return generate(seconds, [&](double t) {
         const double share = t / seconds, frequency = pitch * mix(from, to, 1 - (1 - share) * (1 - share));
         const double level = envelope.next();
-        return level * (0.6 * tone.next(frequency) + 0.15 * octave.next(2 * frequency) +
-                        0.22 * air.next(random.noise()).band);
+        return level *
+               (0.6 * tone.next(frequency) + 0.15 * octave.next(2 * frequency) + 0.22 * air.next(random.noise()).band);
     });
 }
 
@@ -42,7 +43,8 @@ Samples dash(Random& random) {
 Samples grab(Random& random) {
     Samples made = puff(random, 1300 * random.between(0.9, 1.1), 0.7, 0.012, 0.12);
     add(made, thump(210, 120, 0.018, 0.12), 0, 0.8);
-    add(made, puff(random, 2400, 0.9, 0.008, 0.08), random.between(0.03, 0.045), 0.5);
+    const double at = random.between(0.03, 0.045);
+    add(made, puff(random, 2400, 0.9, 0.008, 0.08), at, 0.5);
     return made;
 }
 
@@ -75,11 +77,12 @@ Samples stomp(Random& random) {
     Oscillator squeak(Wave::square, 0, 0.3);
     Filter soft(2500, 0.8);
     Envelope envelope({.attack = 0.01, .decay = 0.05, .sustain = 0.3, .release = 0.09}, 0.08);
-    add(made, generate(0.17,
-                       [&](double t) {
-                           const double frequency = pitch * (900 - 3600 * t + 6000 * t * t);
-                           return envelope.next() * soft.next(squeak.next(frequency)).low;
-                       }),
+    add(made,
+        generate(0.17,
+                 [&](double t) {
+                     const double frequency = pitch * (900 - 3600 * t + 6000 * t * t);
+                     return envelope.next() * soft.next(squeak.next(frequency)).low;
+                 }),
         0.03, 0.35);
     return made;
 }

@@ -200,7 +200,9 @@ Samples bass(const Strike& strike) {
 
 }  // namespace
 
-std::string_view name_of(Instrument instrument) { return names[static_cast<std::size_t>(instrument)]; }
+std::string_view name_of(Instrument instrument) {
+    return names[static_cast<std::size_t>(instrument)];
+}
 
 std::optional<Instrument> instrument_named(std::string_view name) {
     for (std::size_t i = 0; i < names.size(); ++i) {

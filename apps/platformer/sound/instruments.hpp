@@ -32,7 +32,9 @@ enum class Instrument : std::uint8_t {
 
 inline constexpr int instrument_count = static_cast<int>(Instrument::clap) + 1;
 
-[[nodiscard]] constexpr bool is_drum(Instrument instrument) { return instrument >= Instrument::kick; }
+[[nodiscard]] constexpr bool is_drum(Instrument instrument) {
+    return instrument >= Instrument::kick;
+}
 
 [[nodiscard]] std::string_view name_of(Instrument instrument);
 [[nodiscard]] std::optional<Instrument> instrument_named(std::string_view name);

@@ -36,14 +36,22 @@ inline constexpr int rate = 44100;  ///< samples a second, everywhere
 }
 
 /// The factor by which so many decibels multiply.
-[[nodiscard]] inline double decibels(double db) { return power_of_two(db * 0.16609640474436813); }
+[[nodiscard]] inline double decibels(double db) {
+    return power_of_two(db * 0.16609640474436813);
+}
 
 /// What a value is multiplied by at every sample to fall to a half in so many seconds. [above 0]
-[[nodiscard]] inline double half_in(double seconds) { return power_of_two(-1 / (seconds * rate)); }
+[[nodiscard]] inline double half_in(double seconds) {
+    return power_of_two(-1 / (seconds * rate));
+}
 
 /// The frequency of a pitch in semitones, 69 being the a of 440 Hz, 60 the c below. [Hz]
-[[nodiscard]] inline double hertz(double pitch) { return 440 * power_of_two((pitch - 69) / 12); }
+[[nodiscard]] inline double hertz(double pitch) {
+    return 440 * power_of_two((pitch - 69) / 12);
+}
 
-[[nodiscard]] constexpr double mix(double a, double b, double share) { return a + (b - a) * share; }
+[[nodiscard]] constexpr double mix(double a, double b, double share) {
+    return a + (b - a) * share;
+}
 
 }  // namespace surefoot::sound

@@ -3,13 +3,13 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "platformer/sound/music_stream.hpp"
+#include "platformer/sound/quiet.hpp"
 
 namespace surefoot::sound {
 
@@ -24,13 +24,17 @@ double gain_of(double slider) {
     return share * share;
 }
 
-bool is_finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 std::array<ALfloat, 3> floats(const dvec3& v) {
     return {static_cast<ALfloat>(v.x), static_cast<ALfloat>(v.y), static_cast<ALfloat>(v.z)};
 }
 
-Error cannot(ErrorCode code, std::string text) { return {code, std::move(text), "", 0}; }
+Error cannot(ErrorCode code, std::string text) {
+    return {code, std::move(text), "", 0};
+}
 
 }  // namespace
 
@@ -40,7 +44,7 @@ struct Mixer::Parts {
     LPALCRENDERSAMPLESSOFT render = nullptr;
     bool tells_when_gone = false;
     Voices voices{voices_at_once};
-    std::vector<ALuint> sources;                        ///< one a slot of `voices`
+    std::vector<ALuint> sources;                          ///< one a slot of `voices`
     std::array<std::vector<ALuint>, effect_count> ready;  ///< buffers, by variation
     std::array<int, effect_count> turn{};                 ///< which variation is next
     Listener listener;
@@ -96,14 +100,15 @@ Expected<Mixer> Mixer::open(Output output) {
         parts->device = open_in_memory(nullptr);
         wanted = {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT, 0};
     } else if (output == Output::device) {
+        quieten_alsa();
         parts->device = alcOpenDevice(nullptr);
     }
     if (parts->device == nullptr) {
         return tl::unexpected(cannot(ErrorCode::not_found, "No sound: OpenAL finds no device to play it on."));
     }
     // Many sounds at once are held down together rather than cut off one by one.
-    const std::array<ALCint, 9> attributes{ALC_FREQUENCY, rate,      ALC_OUTPUT_LIMITER_SOFT, ALC_TRUE, wanted[0],
-                                           wanted[1],     wanted[2], wanted[3],               0};
+    const std::array<ALCint, 9> attributes{
+        ALC_FREQUENCY, rate, ALC_OUTPUT_LIMITER_SOFT, ALC_TRUE, wanted[0], wanted[1], wanted[2], wanted[3], 0};
     parts->context = alcCreateContext(parts->device, attributes.data());
     if (parts->context == nullptr || alcMakeContextCurrent(parts->context) == ALC_FALSE) {
         return tl::unexpected(cannot(ErrorCode::unsupported, "No sound: the device cannot be used by OpenAL."));
@@ -177,8 +182,7 @@ void Mixer::set_volumes(const Volumes& volumes) {
     p.volumes = volumes;
     alListenerf(AL_GAIN, static_cast<ALfloat>(gain_of(volumes.master)));
     for (auto it = p.voices.playing().begin(); it != p.voices.playing().end(); ++it) {
-        alSourcef(p.sources[it.handle().index], AL_GAIN,
-                  static_cast<ALfloat>((*it).gain * gain_of(volumes.effects)));
+        alSourcef(p.sources[it.handle().index], AL_GAIN, static_cast<ALfloat>((*it).gain * gain_of(volumes.effects)));
     }
 }
 
@@ -236,7 +240,9 @@ bool Mixer::prepare_one() {
     return false;
 }
 
-std::uint32_t Mixer::playing() const { return parts_->voices.playing().size(); }
+std::uint32_t Mixer::playing() const {
+    return parts_->voices.playing().size();
+}
 
 void Mixer::mixed(std::span<float> stereo) {
     parts_->render(parts_->device, stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));

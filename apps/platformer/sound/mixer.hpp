@@ -5,18 +5,19 @@
 #include <optional>
 #include <span>
 
+#include <surefoot/error.hpp>
+
 #include "platformer/sound/pieces.hpp"
 #include "platformer/sound/voices.hpp"
-#include <surefoot/error.hpp>
 
 namespace surefoot::sound {
 
 /// How a sound is to be played.
 struct PlayOptions {
     std::optional<dvec3> place = {};  ///< [m] without one it is heard alike everywhere, and is not held by a pause
-    dvec3 velocity{0.0};         ///< of what makes it [m/s]
-    double gain = 1;             ///< 0 to 1; what is beyond is taken for the nearer end
-    double pitch = 1;            ///< how much faster it is played [0.25 to 4]
+    dvec3 velocity{0.0};              ///< of what makes it [m/s]
+    double gain = 1;                  ///< 0 to 1; what is beyond is taken for the nearer end
+    double pitch = 1;                 ///< how much faster it is played [0.25 to 4]
 };
 
 struct Listener {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <AL/al.h>
-
 #include <array>
 #include <vector>
 

@@ -11,7 +11,9 @@ namespace surefoot::sound {
 
 using Samples = std::vector<float>;
 
-[[nodiscard]] inline std::size_t samples_in(double seconds) { return static_cast<std::size_t>(seconds * rate + 0.5); }
+[[nodiscard]] inline std::size_t samples_in(double seconds) {
+    return static_cast<std::size_t>(seconds * rate + 0.5);
+}
 
 /// So many seconds of what `next(t)` says, t being the time in seconds. It is asked once a sample, in order.
 template <typename Next>

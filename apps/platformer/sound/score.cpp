@@ -128,7 +128,10 @@ private:
         if (!found) throw Misread{number, "there is no instrument \"" + instrument + "\""};
         part.instrument = *found;
         while (words >> word >> value) {
-            double* const field = word == "gain" ? &part.gain : word == "pan" ? &part.pan : word == "room" ? &part.room : nullptr;
+            double* const field = word == "gain"   ? &part.gain
+                                  : word == "pan"  ? &part.pan
+                                  : word == "room" ? &part.room
+                                                   : nullptr;
             if (field == nullptr) throw Misread{number, "a part has gain, pan and room, but no " + word};
             *field = number_in(value, number);
         }
@@ -155,7 +158,8 @@ private:
                 const std::optional<Chord> chord = chord_named(symbols[i]);
                 if (!chord) throw Misread{line.number, "\"" + symbols[i] + "\" is no chord that is known"};
                 voicing_ = voiced(*chord, voicing_);
-                placed_.push_back({beats_a_bar * (double(bar) + double(i) / double(symbols.size())), *chord, *voicing_});
+                placed_.push_back(
+                    {beats_a_bar * (double(bar) + double(i) / double(symbols.size())), *chord, *voicing_});
             }
         }
     }
@@ -176,11 +180,14 @@ private:
                 }
                 held.clear();
                 if (signs[i] == ".") continue;
-                const bool drum = is_drum(score_.parts[part].instrument);
-                for (const double pitch : drum ? struck(signs[i], line.number) : pitches_of(signs[i], beat, line.number)) {
+                const Instrument instrument = score_.parts[part].instrument;
+                double start = seconds(beat);
+                for (const double pitch :
+                     is_drum(instrument) ? struck(signs[i], line.number) : pitches_of(signs[i], beat, line.number)) {
                     held.push_back(score_.notes.size());
-                    score_.notes.push_back({seconds(beat), seconds(beat + step) - seconds(beat), pitch,
-                                            velocity_of(signs[i], beat), part});
+                    score_.notes.push_back(
+                        {start, seconds(beat + step) - start, pitch, velocity_of(signs[i], beat), part});
+                    if (instrument == Instrument::ukulele) start += 0.011;  // a hand meets the strings one by one
                 }
             }
         }

@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "platformer/sound/instruments.hpp"
 #include <surefoot/error.hpp>
+
+#include "platformer/sound/instruments.hpp"
 
 namespace surefoot::sound {
 

@@ -19,6 +19,8 @@ template <typename... Kinds>
 struct Cases : Kinds... {
     using Kinds::operator()...;
 };
+template <typename... Kinds>
+Cases(Kinds...) -> Cases<Kinds...>;
 
 }  // namespace
 
@@ -36,11 +38,21 @@ Speaker::~Speaker() {
     thread_.join();
 }
 
-void Speaker::play(Effect effect, const PlayOptions& options) { ask(Play{effect, options}); }
-void Speaker::listen(const Listener& listener) { ask(listener); }
-void Speaker::set_volumes(const Volumes& volumes) { ask(volumes); }
-void Speaker::music(std::optional<Piece> piece, double fade) { ask(Music{piece, fade}); }
-void Speaker::pause(bool paused) { ask(Pause{paused}); }
+void Speaker::play(Effect effect, const PlayOptions& options) {
+    ask(Play{effect, options});
+}
+void Speaker::listen(const Listener& listener) {
+    ask(listener);
+}
+void Speaker::set_volumes(const Volumes& volumes) {
+    ask(volumes);
+}
+void Speaker::music(std::optional<Piece> piece, double fade) {
+    ask(Music{piece, fade});
+}
+void Speaker::pause(bool paused) {
+    ask(Pause{paused});
+}
 
 Speaker::State Speaker::state() const {
     const std::lock_guard lock(mutex_);

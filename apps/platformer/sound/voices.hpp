@@ -3,9 +3,10 @@
 
 #include <optional>
 
-#include "platformer/sound/effects.hpp"
 #include <surefoot/math.hpp>
 #include <surefoot/slab.hpp>
+
+#include "platformer/sound/effects.hpp"
 
 namespace surefoot::sound {
 

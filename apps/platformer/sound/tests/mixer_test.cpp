@@ -1,9 +1,8 @@
 // What OpenAL makes of it, mixed into memory.
 #include "platformer/sound/mixer.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "platformer/sound/measure.hpp"

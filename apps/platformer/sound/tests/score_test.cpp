@@ -1,9 +1,8 @@
 // Music as it is written.
 #include "platformer/sound/score.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
+#include <gtest/gtest.h>
 
 #include "platformer/sound/chord.hpp"
 
@@ -48,10 +47,10 @@ TEST(Score, swing_delays_the_second_half_of_a_beat_and_nothing_else) {
 TEST(Score, degrees_are_those_of_the_chord_that_sounds) {
     const Score score = read(head + "chords Am7 F7\nlow 1 3 5 7\norder a");
     ASSERT_EQ(score.notes.size(), 4U);
-    EXPECT_EQ(score.notes[0].pitch, 33);               // a
-    EXPECT_EQ(score.notes[1].pitch, 33 + 3);           // its minor third
-    EXPECT_EQ(score.notes[2].pitch, 29 + 7);           // f's fifth
-    EXPECT_EQ(score.notes[3].pitch, 29 + 10);          // its minor seventh
+    EXPECT_EQ(score.notes[0].pitch, 33);       // a
+    EXPECT_EQ(score.notes[1].pitch, 33 + 3);   // its minor third
+    EXPECT_EQ(score.notes[2].pitch, 29 + 7);   // f's fifth
+    EXPECT_EQ(score.notes[3].pitch, 29 + 10);  // its minor seventh
 }
 
 TEST(Score, a_line_of_one_bar_goes_on_for_the_whole_section) {

@@ -1,10 +1,9 @@
 // The thread between the game and OpenAL.
 #include "platformer/sound/speaker.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
+#include <gtest/gtest.h>
 
 namespace surefoot::sound {
 namespace {

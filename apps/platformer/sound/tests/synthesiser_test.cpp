@@ -1,8 +1,7 @@
 // The parts that every sound is made of.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "platformer/sound/envelope.hpp"

@@ -1,9 +1,8 @@
 // Who is heard when there are more sounds than sources.
 #include "platformer/sound/voices.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 namespace surefoot::sound {
 namespace {
