@@ -74,16 +74,20 @@ Samples make(Effect effect, int variation) {
 Samples puff(Random& random, double frequency, double q, double half_life, double seconds) {
     Filter filter(frequency, q);
     Decay fade(half_life);
-    return generate(seconds, [&](double) { return fade.next() * filter.next(random.noise()).band; });
+    Samples made = generate(seconds, [&](double) { return fade.next() * filter.next(random.noise()).band; });
+    fade_ends(made, 0, seconds / 3);
+    return made;
 }
 
 Samples thump(double from, double to, double half_life, double seconds) {
     Decay fall(half_life / 3), fade(half_life);
     double phase = 0;
-    return generate(seconds, [&](double) {
+    Samples made = generate(seconds, [&](double) {
         phase += mix(to, from, fall.next()) / rate;
         return fade.next() * sine(phase);
     });
+    fade_ends(made, 0, seconds / 3);
+    return made;
 }
 
 }  // namespace surefoot::sound

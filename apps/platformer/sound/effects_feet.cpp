@@ -56,18 +56,16 @@ Samples touch(const Footing& ground, Random& random, double weight) {
         Decay fade(ground.ring_half_life * random.between(0.7, 1.2));
         const double frequency = ring * pitch * random.between(0.98, 1.02), share = random.between(0.5, 1);
         double phase = 0;
-        add(made,
-            generate(0.3,
-                     [&](double) {
-                         phase += frequency / rate;
-                         return share * fade.next() * sine(phase);
-                     }),
-            0, ground.ring_gain);
+        Samples tone = generate(0.3, [&](double) {
+            phase += frequency / rate;
+            return share * fade.next() * sine(phase);
+        });
+        fade_ends(tone, 0, 0.1);
+        add(made, tone, 0, ground.ring_gain);
     }
     for (int i = 0; i < ground.grains; ++i) {
-        const double at = random.between(0, 0.07);
-        add(made, puff(random, ground.grain_pitch * random.between(0.7, 1.4), 2, 0.004, 0.03), at,
-            ground.grain_gain * random.between(0.3, 1));
+        const double at = random.between(0, 0.07), gain = ground.grain_gain * random.between(0.3, 1);
+        add(made, puff(random, ground.grain_pitch * random.between(0.7, 1.4), 2, 0.004, 0.03), at, gain);
     }
     return made;
 }
@@ -76,8 +74,8 @@ Samples touch(const Footing& ground, Random& random, double weight) {
 Samples drops(Random& random, int count, double within, double low, double high) {
     Samples made;
     for (int i = 0; i < count; ++i) {
-        const double at = within * random.between(0, 1) * random.between(0, 1), start = random.between(low, high);
-        const double rise = random.between(4, 14);
+        const double late = random.between(0, 1), at = within * late * late;  // most of them early
+        const double start = random.between(low, high), rise = random.between(4, 14);
         Decay fade(random.between(0.006, 0.02));
         double phase = 0;
         Samples drop = generate(0.09, [&](double t) {
@@ -93,7 +91,8 @@ Samples drops(Random& random, int count, double within, double low, double high)
 Samples step(Ground ground, Random& random) {
     const Footing footed = footing(ground);
     Samples made = touch(footed, random, 1);
-    add(made, touch(footed, random, 0.5), random.between(0.035, 0.06), random.between(0.35, 0.55));
+    const double at = random.between(0.035, 0.06), gain = random.between(0.35, 0.55);
+    add(made, touch(footed, random, 0.5), at, gain);
     if (ground == Ground::water) add(made, drops(random, 7, 0.14, 500, 1500), 0.01, 0.35);
     return made;
 }
@@ -151,7 +150,7 @@ Samples make_of_feet(Effect effect, Random& random) {
         case Effect::splash:
             return splash(random);
         default:
-            return step(static_cast<Ground>(effect), random);
+            return step(static_cast<Ground>(static_cast<int>(effect) - static_cast<int>(Effect::step_stone)), random);
     }
 }
 

@@ -43,7 +43,8 @@ Samples dash(Random& random) {
 Samples grab(Random& random) {
     Samples made = puff(random, 1300 * random.between(0.9, 1.1), 0.7, 0.012, 0.12);
     add(made, thump(210, 120, 0.018, 0.12), 0, 0.8);
-    add(made, puff(random, 2400, 0.9, 0.008, 0.08), random.between(0.03, 0.045), 0.5);
+    const double at = random.between(0.03, 0.045);
+    add(made, puff(random, 2400, 0.9, 0.008, 0.08), at, 0.5);
     return made;
 }
 

@@ -1,4 +1,5 @@
-/// The four workshops behind `make`: each makes the raw sound of the effects that it knows.
+/// The four workshops behind `make`: each makes the raw sound of the effects that it knows. Two random numbers are
+/// never drawn within one expression: compilers differ in which of them they draw first.
 #pragma once
 
 #include "platformer/sound/effects.hpp"

@@ -52,7 +52,8 @@ Samples key(Random& random) {
     Samples dry;
     double at = 0;
     for (const double pitch : {99.0, 104.0, 101.0, 106.0}) {
-        add(dry, play(Instrument::bell, {pitch + random.between(-0.3, 0.3), 0.12, 0.8}), at, random.between(0.6, 1));
+        const double bent = pitch + random.between(-0.3, 0.3), gain = random.between(0.6, 1);
+        add(dry, play(Instrument::bell, {bent, 0.12, 0.8}), at, gain);
         add(dry, puff(random, 7000, 2, 0.006, 0.05), at, 0.25);
         at += random.between(0.05, 0.08);
     }
@@ -66,7 +67,8 @@ Samples door(Random& random) {
     Samples dry = generate(1.1, [&](double t) {
         const double level = (t < 0.12 ? t / 0.12 : 1) * (t > 1 ? (1.1 - t) * 10 : 1);
         const double grind = 0.6 + 6 * rough.next(random.noise()).low;
-        return level * grind * (low.next(random.noise()).band + 0.25 * grit.next(random.noise()).band);
+        const double noise = random.noise();
+        return level * grind * (low.next(noise).band + 0.25 * grit.next(noise).band);
     });
     add(dry, thump(130, 48, 0.07, 0.45), 1.05, 1.6);
     add(dry, puff(random, 600, 0.6, 0.04, 0.3), 1.05, 0.7);

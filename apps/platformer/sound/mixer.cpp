@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "platformer/sound/music_stream.hpp"
+#include "platformer/sound/quiet.hpp"
 
 namespace surefoot::sound {
 
@@ -99,6 +100,7 @@ Expected<Mixer> Mixer::open(Output output) {
         parts->device = open_in_memory(nullptr);
         wanted = {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT, 0};
     } else if (output == Output::device) {
+        quieten_alsa();
         parts->device = alcOpenDevice(nullptr);
     }
     if (parts->device == nullptr) {

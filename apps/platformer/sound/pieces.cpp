@@ -14,15 +14,15 @@ tempo   88
 swing   0.54
 
 part  melody   flute       gain 0.42  pan -0.12  room 0.40
-part  bars     vibraphone  gain 0.30  pan  0.25  room 0.45
-part  keys     piano       gain 0.17  pan  0.18  room 0.20
+part  bars     vibraphone  gain 0.36  pan  0.25  room 0.45
+part  keys     piano       gain 0.19  pan  0.18  room 0.20
 part  strings  pad         gain 0.15  pan  0     room 0.40
-part  strings_too pad      gain 0.10  pan -0.3   room 0.40
+part  strings_too pad      gain 0.26  pan -0.3   room 0.40
 part  bass     bass        gain 0.42  pan  0     room 0.06
-part  kick     kick        gain 0.30  pan  0     room 0.05
-part  rim      marimba     gain 0.16  pan -0.3   room 0.15
-part  brush    brush       gain 0.20  pan  0.2   room 0.15
-part  shaker   shaker      gain 0.17  pan -0.25  room 0.10
+part  kick     kick        gain 0.24  pan  0     room 0.05
+part  rim      marimba     gain 0.26  pan -0.3   room 0.15
+part  brush    brush       gain 0.75  pan  0.2   room 0.15
+part  shaker   shaker      gain 0.60  pan -0.25  room 0.10
 
 # The tune alone with the keys.
 section first
@@ -74,18 +74,18 @@ swing   0.58
 
 part  melody   reed        gain 0.34  pan -0.10  room 0.20
 part  double   marimba     gain 0.30  pan  0.25  room 0.20
-part  answer   bell        gain 0.22  pan  0.35  room 0.35
-part  horns    brass       gain 0.11  pan -0.25  room 0.25
-part  strum    ukulele     gain 0.24  pan  0.30  room 0.12
-part  comp     piano       gain 0.13  pan -0.30  room 0.15
+part  answer   bell        gain 0.40  pan  0.35  room 0.35
+part  horns    brass       gain 0.17  pan -0.25  room 0.25
+part  strum    ukulele     gain 0.32  pan  0.30  room 0.12
+part  comp     piano       gain 0.18  pan -0.30  room 0.15
 part  strings  pad         gain 0.13  pan  0     room 0.40
 part  bass     bass        gain 0.46  pan  0     room 0.04
-part  kick     kick        gain 0.50  pan  0     room 0.03
-part  snare    snare       gain 0.34  pan  0.05  room 0.15
-part  clap     clap        gain 0.22  pan -0.1   room 0.20
-part  hat      hat         gain 0.30  pan  0.25  room 0.06
-part  ride     ride        gain 0.16  pan -0.3   room 0.10
-part  open     open_hat    gain 0.16  pan  0.25  room 0.10
+part  kick     kick        gain 0.60  pan  0     room 0.03
+part  snare    snare       gain 0.70  pan  0.05  room 0.15
+part  clap     clap        gain 0.60  pan -0.1   room 0.20
+part  hat      hat         gain 0.90  pan  0.25  room 0.06
+part  ride     ride        gain 0.40  pan -0.3   room 0.10
+part  open     open_hat    gain 0.45  pan  0.25  room 0.10
 
 section first
 chords   G6 | B7 | Em7 | Dm7 G7 | Cmaj7 | Cm6 | G6 Em7 | Am7 D7

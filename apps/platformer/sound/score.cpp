@@ -180,12 +180,14 @@ private:
                 }
                 held.clear();
                 if (signs[i] == ".") continue;
-                const bool drum = is_drum(score_.parts[part].instrument);
+                const Instrument instrument = score_.parts[part].instrument;
+                double start = seconds(beat);
                 for (const double pitch :
-                     drum ? struck(signs[i], line.number) : pitches_of(signs[i], beat, line.number)) {
+                     is_drum(instrument) ? struck(signs[i], line.number) : pitches_of(signs[i], beat, line.number)) {
                     held.push_back(score_.notes.size());
-                    score_.notes.push_back({seconds(beat), seconds(beat + step) - seconds(beat), pitch,
-                                            velocity_of(signs[i], beat), part});
+                    score_.notes.push_back(
+                        {start, seconds(beat + step) - start, pitch, velocity_of(signs[i], beat), part});
+                    if (instrument == Instrument::ukulele) start += 0.011;  // a hand meets the strings one by one
                 }
             }
         }

@@ -19,6 +19,8 @@ template <typename... Kinds>
 struct Cases : Kinds... {
     using Kinds::operator()...;
 };
+template <typename... Kinds>
+Cases(Kinds...) -> Cases<Kinds...>;
 
 }  // namespace
 

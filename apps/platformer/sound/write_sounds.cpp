@@ -28,13 +28,20 @@ double in_decibels(double share) {
     return 20 * std::log10(std::max(share, 1e-9));
 }
 
+/// The first of its channels.
+Samples one_of(std::span<const float> samples, int channels) {
+    Samples one;
+    for (std::size_t i = 0; i < samples.size(); i += static_cast<std::size_t>(channels)) one.push_back(samples[i]);
+    return one;
+}
+
 bool keep(const std::string& folder, const std::string& name, std::span<const float> samples, int channels,
           double cost) {
     const double seconds = double(samples.size()) / channels / rate;
     std::printf(
         "%-16s %7.2f s  peak %6.1f dB  loudest 50 ms %6.1f dB  RMS %6.1f dB  brightness %5.0f Hz  made in %7.1f ms\n",
         name.c_str(), seconds, in_decibels(peak(samples)), in_decibels(loudest(samples, 0.05 * channels)),
-        in_decibels(rms(samples)), brightness(samples), 1000 * cost);
+        in_decibels(rms(samples)), brightness(one_of(samples, channels)), 1000 * cost);
     const Expected<void> written = write_wav(folder + "/" + name + ".wav", samples, channels);
     if (!written) std::fprintf(stderr, "%s\n", written.error().text.c_str());
     return written.has_value();
