@@ -73,9 +73,25 @@ constexpr Catch catches[] = {
     {"soak", "discrete"},
 };
 
-}  // namespace
+struct OwnCatch {
+    std::string_view scene;
+    BodyShape shape;
+    std::string_view fault;
+};
 
-std::vector<std::string> broken_movers_caught_by(std::string_view scene) {
+// Where a body of another shape does not show the fault that a capsule shows, and shows another one.
+constexpr OwnCatch own_catches[] = {
+    {"convex-edge", BodyShape::cone, "stop"},
+};
+
+std::string_view own_fault(std::string_view scene, BodyShape shape) {
+    for (const OwnCatch& entry : own_catches) {
+        if (entry.scene == scene && entry.shape == shape) return entry.fault;
+    }
+    return {};
+}
+
+std::vector<std::string> caught_with_capsules(std::string_view scene) {
     std::vector<std::string> caught;
     const auto add = [&](std::string name) {
         if (std::find(caught.begin(), caught.end(), name) == caught.end()) caught.push_back(std::move(name));
@@ -92,6 +108,17 @@ std::vector<std::string> broken_movers_caught_by(std::string_view scene) {
             }
         }
     }
+    return caught;
+}
+
+}  // namespace
+
+std::vector<std::string> broken_movers_caught_by(std::string_view scene, BodyShape shape) {
+    std::vector<std::string> caught = caught_with_capsules(scene);
+    if (shape == BodyShape::capsule) return caught;
+    const std::string_view own = own_fault(scene, shape);
+    if (!own.empty()) return {"broken-" + std::string(own)};
+    caught.resize(std::min<std::size_t>(caught.size(), 1));
     return caught;
 }
 
