@@ -95,6 +95,9 @@ constexpr OwnCatch own_catches[] = {
     {"ledge-high", BodyShape::cylinder, "seams"},
     {"ledge-low", BodyShape::cylinder, "restless"},
     {"lintel", BodyShape::cone, "restless"},
+    {"slope-too-steep", BodyShape::box, "restless"},
+    {"slope-too-steep", BodyShape::cylinder, "restless"},
+    {"crest", BodyShape::box, "seams"},
 };
 
 std::string_view own_fault(std::string_view scene, BodyShape shape) {
