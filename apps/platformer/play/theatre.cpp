@@ -46,10 +46,10 @@ Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOption
         note(read.error().text);
     screens_ = Screens(settings);
     use_settings();
-    library_.open(options_.level_folders, options_.headless);
-    if (library_.is_ready()) show_cards();
     screens_.open_title();
     speaker_.music(sound::Piece::calm);
+    library_.open(options_.level_folders, options_.headless);
+    if (library_.is_ready()) show_cards();
 }
 
 Theatre::~Theatre() {
@@ -237,7 +237,7 @@ void Theatre::tick() {
                          .per_window_unit = double(display_.framebuffer_size().y) / display_.size().y});
     screens_.tick(game::tick_seconds);
     while (const auto command = screens_.take()) obey(*command);
-    if (std::string notice = speaker_.take_notice(); !notice.empty()) note(notice);
+    if (std::string notice = speaker_.take_notice(); !notice.empty() && !options_.headless) note(notice);
     const bool plays = run_ != nullptr && screens_.is_playing();
     speaker_.pause(run_ != nullptr && !screens_.is_playing());
     if (!options_.headless && display_.is_pointer_captured() != plays) display_.capture_pointer(plays);
