@@ -27,6 +27,7 @@ public:
         platformer::TheatreOptions options =
             stage.headless ? platformer::TheatreOptions{} : platformer::usual_theatre();
         options.headless = stage.headless;
+        options.beat = stage.beat;
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
             const fs::path level(stage.level);

@@ -1,7 +1,8 @@
 #include "platformer/play/theatre.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "platformer/play/hud_of.hpp"
 #include "platformer/screens/draw_screens.hpp"
@@ -12,6 +13,12 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double show_win_after = 2.2;   // [s]: the hero dances first
 constexpr double show_lose_after = 1.2;  // [s]
+
+view::Camera looking(const dvec3& eye, const dvec3& at, double field_of_view) {
+    const dvec3 way = at - eye;
+    const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    return {.eye = eye, .forward = length > 0 ? way / length : dvec3{0, 0, -1}, .field_of_view = field_of_view};
+}
 
 }  // namespace
 
@@ -244,16 +251,21 @@ void Theatre::tick() {
     if (plays) tick_run();
 }
 
+const game::Beat* Theatre::beat() const {
+    if (options_.beat <= 0 || !run_) return nullptr;
+    const auto& beats = run_->game().level().beats;
+    return std::size_t(options_.beat) <= beats.size() ? &beats[std::size_t(options_.beat) - 1] : nullptr;
+}
+
 view::Camera Theatre::camera(double blend) const {
+    if (const game::Beat* const seen = beat()) return looking(seen->eye, seen->look, camera_settings_.field_of_view);
     if (run_) return run_->camera_at(screens_.is_playing() ? blend : 1);
     if (!backdrop_) return {};
     // Slowly about where the hero waits.
     const double angle = seconds_ * 0.12;
     const dvec3 middle = backdrop_->game().hero().body.position;
     const dvec3 eye = middle + dvec3{9 * std::sin(angle), 4.5, 9 * std::cos(angle)};
-    const dvec3 way = middle + dvec3{0, 0.8, 0} - eye;
-    const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-    return {.eye = eye, .forward = way / length, .field_of_view = camera_settings_.field_of_view};
+    return looking(eye, middle + dvec3{0, 0.8, 0}, camera_settings_.field_of_view);
 }
 
 void Theatre::draw(double blend) {
@@ -266,6 +278,7 @@ void Theatre::draw(double blend) {
 }
 
 void Theatre::draw_over(unsigned framebuffer) {
+    if (beat() != nullptr) return;
     letters_.next_frame();
     canvas_.begin(screens_.layout());
     const GameSettings& settings = screens_.settings();
