@@ -54,7 +54,7 @@ Expected<void> Game::build() {
         Enemy enemy{.plan = plan};
         enemy.body.position = level_->enemies[plan].feet + dvec3{0, 0.61, 0};
         enemy.before = enemy.body;
-        if (minds_) enemy.mind = minds_->add();
+        if (minds_ && level_->enemies[plan].kind != EnemyKind::shooter) enemy.mind = minds_->add(plan);
         (void)enemies_.insert(enemy);
     }
     stand_at_checkpoint();
@@ -120,7 +120,7 @@ void Game::stand_at_checkpoint() {
         enemy.since = 0;
         enemy.stop = 0;
         enemy.reload = 0;
-        if (minds_) minds_->forget(enemy);
+        if (minds_ && plan.kind != EnemyKind::shooter) minds_->forget(enemy);
     }
     for (MovingBody& body : bodies_) {
         const Route& route = level_->bodies[body.plan].route;
