@@ -1,0 +1,85 @@
+#include "playtest/atlas.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include <surefoot/cook.hpp>
+#include <surefoot/navigation_links.hpp>
+
+#include "game/hero.hpp"
+
+namespace surefoot::playtest {
+namespace {
+
+constexpr std::uint64_t atlas_version = 1;     // of what is kept, and of what it is made with
+constexpr std::uint32_t deadly_area = 1;       // ground that nobody walks on
+constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
+constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]
+
+}  // namespace
+
+Atlas::Atlas(std::shared_ptr<const game::Level> level)
+    : level_(std::move(level)), settings_(game::hero_settings(level_->rules)), door_areas_(level_->bodies.size(), 0) {}
+
+Expected<std::shared_ptr<const Atlas>> Atlas::make(std::shared_ptr<const game::Level> level,
+                                                   const AtlasOptions& options) {
+    std::shared_ptr<Atlas> atlas(new Atlas(std::move(level)));
+    if (auto built = atlas->build(options); !built) return tl::unexpected(built.error());
+    return std::shared_ptr<const Atlas>(std::move(atlas));
+}
+
+Expected<void> Atlas::build(const AtlasOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto added = ground_.add(level_->ground); !added) return tl::unexpected(added.error());
+
+    std::vector<NavigationArea> areas{{.name = "ground"}, {.name = "deadly", .closed = true}};
+    std::vector<NavigationRegion> regions = navigation_regions(level_->markers);
+    for (std::size_t i = 0; i < level_->bodies.size() && areas.size() < most_doors; ++i) {
+        const game::BodyPlan& body = level_->bodies[i];
+        if (body.kind != game::BodyKind::door) continue;
+        const Bounds box = body.mesh.bounds();
+        door_areas_[i] = std::uint32_t(areas.size());
+        regions.push_back({.name = body.name,
+                           .pose = {body.origin + (box.min + box.max) * 0.5, {1, 0, 0, 0}},
+                           .half_extents = (box.max - box.min) * 0.5 + dvec3{around_door, around_door, around_door},
+                           .kind = NavigationRegion::Kind::area,
+                           .area = door_areas_[i]});
+        areas.push_back({.name = body.name, .closed = true});
+    }
+    std::vector<std::uint32_t> surface_areas;
+    for (const game::Material& material : level_->materials) surface_areas.push_back(material.deadly ? deadly_area : 0);
+
+    const std::uint64_t key = hash_bytes(std::as_bytes(std::span(&level_->hash, 1)), atlas_version);
+    const std::string path = options.use_cache && level_->hash != 0 ? cache_path(key) : std::string{};
+    if (!path.empty()) {
+        const auto kept = Mesh::read(path, Check::everything);
+        const auto section = kept ? kept->section("surefoot", navigation_section({}).name) : std::nullopt;
+        if (section && section->made_from == key && NavigationMesh::read(section->bytes)) {
+            bytes_.assign(section->bytes.begin(), section->bytes.end());
+            from_cache_ = true;
+        }
+    }
+    if (!from_cache_) {
+        auto mesh = NavigationMesh::build(
+            ground_, settings_,
+            {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = options.threads});
+        if (!mesh) return tl::unexpected(mesh.error());
+        const auto links =
+            find_links(ground_, settings_, *mesh,
+                       {.run_speed = game::run_speed, .threads = options.threads, .progress = options.progress});
+        if (const auto set = mesh->set_links(links); !set) return tl::unexpected(set.error());
+        bytes_ = mesh->to_bytes();
+        if (!path.empty()) {
+            std::error_code error;
+            std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+            // A cache that cannot be written costs time the next time, and nothing else.
+            const Section section = navigation_section(bytes_, key);
+            (void)level_->ground.write(path, std::span(&section, 1));
+        }
+    }
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {};
+}
+
+}  // namespace surefoot::playtest
