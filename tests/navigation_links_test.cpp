@@ -14,51 +14,11 @@ namespace {
 
 using Kind = NavigationLinkKind;
 
-double rise(const NavigationLink& link, const dvec3& up = {0, 1, 0}) {
-    const dvec3 way = link.to - link.from;
-    return way.x * up.x + way.y * up.y + way.z * up.z;
-}
-
-std::size_t count(const std::vector<NavigationLink>& links, Kind kind) {
-    return static_cast<std::size_t>(
-        std::count_if(links.begin(), links.end(), [&](const NavigationLink& link) { return link.kind == kind; }));
-}
-
 /// How many jumps lead so much higher at least.
 std::size_t jumps_up(const std::vector<NavigationLink>& links, double least) {
     return static_cast<std::size_t>(std::count_if(links.begin(), links.end(), [&](const NavigationLink& link) {
         return link.kind == Kind::jump && rise(link) >= least;
     }));
-}
-
-/// A wall that is climbed, with ground before it and on top.
-Scene climb(double height) {
-    Scene scene;
-    scene.floor(-6, 0, -3, 3).floor(0, 6, -3, 3, height);
-    scene.quad({0, 0, -3}, {0, 0, -0.6}, {0, height, -0.6}, {0, height, -3});
-    scene.quad({0, 0, 0.6}, {0, 0, 3}, {0, height, 3}, {0, height, 0.6});
-    return scene.made_of(1).quad({0, 0, -0.6}, {0, 0, 0.6}, {0, height, 0.6}, {0, height, -0.6});
-}
-
-/// The inputs of a link, from rest where it begins.
-dvec3 replayed(const Level& level, const NavigationLink& link, const dvec3& up = {0, 1, 0}) {
-    CharacterState state = stand_at(level.world, level.settings, link.from, up, link.tick);
-    EXPECT_EQ(state.footing, Footing::ground);
-    for (const NavigationInput& input : link.inputs)
-        for (std::uint32_t i = 0; i < input.ticks; ++i)
-            state = step(level.world, level.settings, {.wish = input.wish, .up = up, .jump = input.jump != 0},
-                         link.tick, state)
-                        .state;
-    return state.position - up * navigation_agent(level.settings).feet;
-}
-
-void expect_replays(const Level& level, const std::vector<NavigationLink>& links) {
-    for (const NavigationLink& link : links) {
-        EXPECT_EQ(replayed(level, link), link.end);
-        const dvec3 off = link.end - link.to;
-        EXPECT_LT(std::hypot(off.x, off.z), 0.2);
-        EXPECT_LT(std::abs(off.y), 0.4);
-    }
 }
 
 // Broken variants: no drops proposed; drops proposed upwards; links are not thinned out; the recorded inputs are those
@@ -254,26 +214,6 @@ TEST(NavigationLinks, NobodyWalksThroughWhatIsForbidden) {
     const auto over = level.links();
     EXPECT_EQ(count(over, Kind::step_up), 0U);
     EXPECT_GE(count(over, Kind::jump), 4U);
-}
-
-// Broken variants: ladders are not proposed; every wall is one.
-TEST(NavigationLinks, ALadderIsClimbed) {
-    std::array<SurfaceRule, 2> rules{};
-    Level level = level_of(climb(4));
-    level.settings.surfaces = SurfaceRules(rules);
-    EXPECT_EQ(count(level.links(), Kind::ladder), 0U);
-    rules[1].ladder = true;
-    const auto links = level.links();
-    ASSERT_EQ(count(links, Kind::ladder), 1U);
-    EXPECT_EQ(jumps_up(links, 1), 0U);
-    for (const NavigationLink& link : links) {
-        if (link.kind != Kind::ladder) continue;
-        EXPECT_NEAR(rise(link), 4, 0.2);
-        EXPECT_NEAR(link.from.z, 0, 0.6);
-    }
-    expect_replays(level, links);
-    level.settings.ladder_speed = 0;
-    EXPECT_EQ(count(level.links(), Kind::ladder), 0U);
 }
 
 // Broken variant: the walk's length is not looked at.

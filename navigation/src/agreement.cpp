@@ -1,3 +1,5 @@
+#include "agreement.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -77,14 +79,14 @@ bool is_reached(const CellMap& cells, const dtNavMeshQuery& query, dtPolyRef ref
 }
 
 /// All polygons from which `to` can be got to, itself among them.
-std::unordered_set<dtPolyRef> leading_to(const dtNavMesh& detour, dtPolyRef to) {
+std::unordered_set<dtPolyRef> leading_to(const dtNavMesh& detour, dtPolyRef to, std::uint16_t shut) {
     std::unordered_map<dtPolyRef, std::vector<dtPolyRef>> before;
     for (int i = 0; i < detour.getMaxTiles(); ++i) {
         const dtMeshTile* tile = detour.getTile(i);
         if (tile->header == nullptr) continue;
         const dtPolyRef first = detour.getPolyRefBase(tile);
         for (int p = 0; p < tile->header->polyCount; ++p) {
-            if (!navigation::is_open(tile->polys[p])) continue;
+            if (!navigation::is_open(tile->polys[p], shut)) continue;
             for (unsigned int link = tile->polys[p].firstLink; link != DT_NULL_LINK; link = tile->links[link].next)
                 before[tile->links[link].ref].push_back(first | static_cast<dtPolyRef>(p));
         }
@@ -100,34 +102,31 @@ std::unordered_set<dtPolyRef> leading_to(const dtNavMesh& detour, dtPolyRef to) 
     return found;
 }
 
+/// Doors count as open: behind them is ground, too.
+constexpr std::uint16_t shut = navigation::taken_out;
+
 }  // namespace
+}  // namespace v0
 
-NavigationAgreement keep_reached(NavigationMesh& mesh, const NavigationFlood& flood, const dvec3& seed) {
-    NavigationAgreement agreement{.flood = flood.area()};
+namespace navigation {
+
+void keep_joined(NavigationMesh& mesh, const NavigationFlood& flood, const dvec3& seed,
+                 NavigationAgreement& agreement) {
     const MeshState& state = mesh.state();
-    const CellMap cells(state, flood);
-    const navigation::DetourQuery heights = navigation::make_detour_query(*state.detour, 16);
-    std::vector<NavigationPolygon> out;
-    navigation::each_polygon(*state.detour, [&](dtPolyRef reference, const dtMeshTile& tile, const dtPoly& polygon) {
-        if (!navigation::is_open(polygon) || is_reached(cells, *heights, reference, tile, polygon)) return;
-        agreement.unreached += navigation::area_of(tile, polygon);
-        out.push_back({reference});
-    });
-    mesh.take_out(out);
-
-    const NavigationQuery query(mesh);
+    const NavigationQuery query(mesh, 16, NavigationDoors::open);
     const double vertical = std::max(mesh.agent().climb, 4 * state.plan.cell_height) + mesh.agent().radius;
     const auto start = query.nearest(seed, 4 * mesh.agent().radius, mesh.agent().height);
-    out.clear();
+    std::vector<NavigationPolygon> out;
     std::unordered_set<dtPolyRef> there;
     std::unordered_set<dtPolyRef> back;
     if (start) {
-        for (const dtPolyRef polygon : navigation::reachable(*state.detour, start->polygon.id)) there.insert(polygon);
-        back = leading_to(*state.detour, start->polygon.id);
+        for (const dtPolyRef polygon : reachable(*state.detour, start->polygon.id, shut)) there.insert(polygon);
+        back = leading_to(*state.detour, start->polygon.id, shut);
     }
-    navigation::each_polygon(*state.detour, [&](dtPolyRef reference, const dtMeshTile& tile, const dtPoly& polygon) {
-        if (!navigation::is_open(polygon)) return;
-        const double area = navigation::area_of(tile, polygon);
+    agreement.kept = 0;
+    each_polygon(*state.detour, [&](dtPolyRef reference, const dtMeshTile& tile, const dtPoly& polygon) {
+        if (!is_open(polygon, shut)) return;
+        const double area = area_of(tile, polygon);
         if (there.contains(reference) && back.contains(reference)) {
             agreement.kept += area;
             return;
@@ -138,6 +137,8 @@ NavigationAgreement keep_reached(NavigationMesh& mesh, const NavigationFlood& fl
     mesh.take_out(out);
 
     constexpr std::size_t most_missing = 1000;
+    agreement.flood_covered = 0;
+    agreement.missing.clear();
     for (const NavigationFloodCell& cell : flood.cells) {
         if (!cell.returns) continue;
         if (query.nearest(cell.feet, flood.cell, vertical)) {
@@ -146,6 +147,25 @@ NavigationAgreement keep_reached(NavigationMesh& mesh, const NavigationFlood& fl
             agreement.missing.push_back(cell.feet);
         }
     }
+}
+
+}  // namespace navigation
+
+inline namespace v0 {
+
+NavigationAgreement keep_reached(NavigationMesh& mesh, const NavigationFlood& flood, const dvec3& seed) {
+    NavigationAgreement agreement{.flood = flood.area()};
+    const MeshState& state = mesh.state();
+    const CellMap cells(state, flood);
+    const navigation::DetourQuery heights = navigation::make_detour_query(*state.detour, 16);
+    std::vector<NavigationPolygon> out;
+    navigation::each_polygon(*state.detour, [&](dtPolyRef reference, const dtMeshTile& tile, const dtPoly& polygon) {
+        if (!navigation::is_open(polygon, shut) || is_reached(cells, *heights, reference, tile, polygon)) return;
+        agreement.unreached += navigation::area_of(tile, polygon);
+        out.push_back({reference});
+    });
+    mesh.take_out(out);
+    navigation::keep_joined(mesh, flood, seed, agreement);
     return agreement;
 }
 

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
 #include <unordered_set>
 
 #include <surefoot/navigation_check.hpp>
@@ -25,7 +28,7 @@ std::vector<NavigationLink> links_used(const NavigationMesh& mesh, const Navigat
 
 /// Which of the links that the feet use are still there, and begin and end on ground that is open.
 void count_links(const NavigationMesh& mesh, std::span<const NavigationLink> used, NavigationCheck& check) {
-    const NavigationQuery query(mesh, 16);
+    const NavigationQuery query(mesh, 16, NavigationDoors::open);
     const double aside = 2 * mesh.agent().radius;
     const double vertical = std::max(mesh.agent().climb, mesh.agent().radius);
     // They keep their order, whichever are dropped.
@@ -62,6 +65,13 @@ void count_walks(std::span<const RandomWalk> walks, double speed, NavigationChec
     }
 }
 
+/// The ground under a place to begin, or near it.
+std::optional<NavigationPoint> ground_at(const NavigationQuery& query, const dvec3& place) {
+    const NavigationAgent& agent = query.mesh().agent();
+    const auto point = query.under(place, 2 * agent.height, agent.height);
+    return point ? point : query.nearest(place, agent.radius * 4, agent.height);
+}
+
 }  // namespace
 
 bool NavigationCheck::lost_a_kind() const noexcept {
@@ -71,7 +81,7 @@ bool NavigationCheck::lost_a_kind() const noexcept {
 }
 
 std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec3> places) noexcept {
-    const NavigationQuery query(mesh);
+    const NavigationQuery query(mesh, 16, NavigationDoors::open);
     std::optional<dvec3> best;
     double most = 0;
     std::unordered_set<std::uint32_t> known;
@@ -88,9 +98,7 @@ std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec
         best = point->position;
     };
     for (const dvec3& place : places) {
-        auto point = query.under(place, 2 * mesh.agent().height, mesh.agent().height);
-        if (!point) point = query.nearest(place, mesh.agent().radius * 4, mesh.agent().height);
-        consider(point);
+        consider(ground_at(query, place));
     }
     if (best) return best;
     std::vector<NavigationOutline> outlines(mesh.report().polygons);
@@ -108,6 +116,20 @@ std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec
     return best;
 }
 
+Expected<dvec3> start_at(const NavigationMesh& mesh, const dvec3& place) {
+    if (const auto point = ground_at(NavigationQuery(mesh, 16, NavigationDoors::open), place)) return point->position;
+    const auto number = [](double value) {
+        std::array<char, 32> text{};
+        return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+    };
+    return tl::unexpected(Error{.code = ErrorCode::invalid,
+                                .text = "navigation: there is no ground to begin on at " + number(place.x) + "," +
+                                        number(place.y) + "," + number(place.z) +
+                                        ": none under it to twice the "
+                                        "character's height, and none near it",
+                                .file = {}});
+}
+
 NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, const CharacterSettings& settings,
                                   const dvec3& start, const NavigationCheckOptions& options, NavigationCheck* check) {
     const auto told = [&](NavigationCheckPart part) {
@@ -117,6 +139,7 @@ NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, cons
     NavigationLinkOptions link_options = options.links;
     link_options.threads = options.threads;
     link_options.regions = options.mesh.regions;
+    link_options.surface_areas = options.mesh.surface_areas;
     link_options.progress = NavigationProgress(link_progress);
     NavigationLinkReport link_report;
     const std::vector<NavigationLink> links = find_links(world, settings, mesh, link_options, &link_report);
@@ -125,6 +148,8 @@ NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, cons
 
     const auto flood_progress = told(NavigationCheckPart::flood);
     NavigationFloodOptions flood_options = options.flood;
+    flood_options.regions = options.mesh.regions;
+    flood_options.surface_areas = options.mesh.surface_areas;
     flood_options.threads = options.threads;
     flood_options.progress = NavigationProgress(flood_progress);
     const NavigationFlood flood = flood_by_feet(world, settings, mesh, std::span(&start, 1), flood_options);
@@ -151,7 +176,14 @@ Expected<NavigationCheck> check_navigation(const World& world, const CharacterSe
     mesh_options.progress = NavigationProgress(build_progress);
     Expected<NavigationMesh> mesh = NavigationMesh::build(world, settings, mesh_options);
     if (!mesh) return tl::unexpected(mesh.error());
-    const std::optional<dvec3> start = best_start(*mesh, starts);
+    std::optional<dvec3> start;
+    if (options.start) {
+        const Expected<dvec3> given = start_at(*mesh, *options.start);
+        if (!given) return tl::unexpected(given.error());
+        start = *given;
+    } else {
+        start = best_start(*mesh, starts);
+    }
     if (!start)
         return tl::unexpected(Error{.code = ErrorCode::invalid,
                                     .text =

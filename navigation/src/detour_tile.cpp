@@ -85,6 +85,12 @@ std::size_t MeshState::tile_at(const vec3& place) const {
     return tile_index(along(place.x, plan.tiles_x), along(place.z, plan.tiles_z));
 }
 
+bool MeshState::are_near(const dvec3& from, const dvec3& to) const {
+    const auto a = static_cast<std::int64_t>(tile_at(plan.frame.in(from)));
+    const auto b = static_cast<std::int64_t>(tile_at(plan.frame.in(to)));
+    return std::abs(a % plan.tiles_x - b % plan.tiles_x) <= 1 && std::abs(a / plan.tiles_x - b / plan.tiles_x) <= 1;
+}
+
 Expected<DetourMesh> make_detour(const Plan& plan, std::size_t most_polygons) {
     const int tile_bits = bits_for(static_cast<std::size_t>(plan.tiles_x) * static_cast<std::size_t>(plan.tiles_z));
     const int polygon_bits = name_bits - tile_bits;
@@ -107,6 +113,7 @@ Expected<DetourMesh> make_detour(const Plan& plan, std::size_t most_polygons) {
 
 Expected<void> put_tile(MeshState& state, const TileMesh& tile, Connect connect) {
     dtNavMesh& detour = *state.detour;
+    ++state.changes;
     if (const dtTileRef old = detour.getTileRefAt(tile.x, tile.z, 0)) detour.removeTile(old, nullptr, nullptr);
     if (tile.is_empty()) return {};
 

@@ -80,14 +80,30 @@ dvec3 to_stop_at(const dvec3& way, double speed, const CharacterSettings& settin
     return at_speed(way, std::min({speed, std::sqrt(settings.braking * distance), distance / dt}));
 }
 
+/// How many jumps in the air are still to come.
+std::uint32_t air_jumps_left(const NavigationLink& link, const NavigationDrive& drive, const CharacterState& state) {
+    if (link.kind != NavigationLinkKind::jump || drive.landed || drive.air_jumps >= link.air_jumps) return 0;
+    return std::min(link.air_jumps - drive.air_jumps, state.air_jumps_left);
+}
+
 /// With the velocity that comes down on the place, as far as the speed allows.
-dvec3 to_land_at(const Way& way, const NavigationLink& link, const CharacterState& state,
+dvec3 to_land_at(const Way& way, const NavigationLink& link, const NavigationDrive& drive, const CharacterState& state,
                  const CharacterSettings& settings, double dt) {
     const dvec3 aside = way.to(link.to);
-    const double rising = way.rising(state);
-    const double squared = rising * rising - 2 * settings.gravity * way.above(link.to);
-    if (!(squared > 0) || !(settings.gravity > 0)) return at_speed(aside, link.speed);
-    const double time = std::max((rising + std::sqrt(squared)) / settings.gravity, dt);
+    double rising = way.rising(state);
+    double above = way.above(link.to);
+    double time = 0;
+    if (!(settings.gravity > 0)) return at_speed(aside, link.speed);
+    // Each jump in the air begins at the top of the one before.
+    for (std::uint32_t left = air_jumps_left(link, drive, state); left > 0; --left) {
+        const double top = std::max(rising, 0.0);
+        time += top / settings.gravity;
+        above -= top * top / (2 * settings.gravity);
+        rising = std::sqrt(2 * settings.gravity * settings.jump_height);
+    }
+    const double squared = rising * rising - 2 * settings.gravity * above;
+    if (!(squared > 0)) return at_speed(aside, link.speed);
+    time = std::max(time + (rising + std::sqrt(squared)) / settings.gravity, dt);
     return at_speed(aside, std::min(link.speed, length(aside) / time));
 }
 
@@ -112,6 +128,23 @@ bool may_begin(const Way& way, const NavigationLink& link, const CharacterState&
     return speed <= slow || dot(velocity, way.forward()) > 0.8 * speed;
 }
 
+/// A jump in the air is a press anew: it was let go at the top, where that costs no height.
+bool jumps_again(const Way& way, const NavigationLink& link, const NavigationDrive& drive,
+                 const CharacterState& state) {
+    return drive.pressed && drive.airborne && state.jump_held == 0 && way.rising(state) <= 0 &&
+           air_jumps_left(link, drive, state) > 0;
+}
+
+/// Off the edge, then down the face that is behind; held all the way, as `step` wants it.
+void climb_down(const Way& way, const NavigationLink& link, const CharacterState& state, CharacterInput& input) {
+    if (state.footing == Footing::ground) {
+        input.wish = way.forward() * std::min(link.speed, slow);
+        return;
+    }
+    input.wish = way.forward() * -std::min(link.speed, 2 * slow);
+    input.crouch = true;
+}
+
 void become(NavigationDrive& drive, Status status) {
     drive.status = status;
     drive.seconds = 0;
@@ -127,7 +160,8 @@ void watch(NavigationDrive& drive, const Way& way, const NavigationLink& link, c
         drive.landed = true;
     }
     const bool may_rise = link.kind == NavigationLinkKind::ladder || state.hold != Hold::none ||
-                          (link.kind == NavigationLinkKind::jump && !drive.pressed);
+                          (link.kind == NavigationLinkKind::jump && !drive.pressed) ||
+                          air_jumps_left(link, drive, state) > 0;
     const bool is_stranded = (state.footing == Footing::air ? drive.airborne : drive.grounded > 0.25) && !may_rise &&
                              is_far_above(way, link.to, state, settings);
     const bool is_over = way.along() >= way.run() && (!drive.pressed || drive.airborne);
@@ -165,12 +199,19 @@ CharacterInput drive(const NavigationLink& link, NavigationDrive& drive, const C
             if (jumps && !drive.pressed && way.along() + next / 2 >= way.run()) drive.pressed = input.jump = true;
             // Held while it rises: a jump that is let go is a low one.
             if (drive.pressed && !drive.landed && (!drive.airborne || way.rising(state) > 0)) input.jump = true;
+            if (jumps_again(way, link, drive, state)) {
+                ++drive.air_jumps;
+                input.jump = true;
+            }
+            const bool goes_down = link.kind == NavigationLinkKind::ladder && dot(link.to - link.from, drive.up) < 0;
             if (drive.landed)
                 input.wish = to_stop_at(way.to(link.to), link.speed, settings, dt);
+            else if (goes_down)
+                climb_down(way, link, state, input);
             else if (link.kind == NavigationLinkKind::ladder || link.kind == NavigationLinkKind::step_up)
                 input.wish = way.along() < way.run() ? way.on_line(link.speed) : at_speed(way.to(link.to), link.speed);
             else if (state.footing == Footing::air)
-                input.wish = to_land_at(way, link, state, settings, dt);
+                input.wish = to_land_at(way, link, drive, state, settings, dt);
             else
                 input.wish = way.along() < way.run() + look_ahead ? way.on_line(link.speed)
                                                                   : at_speed(way.to(link.to), link.speed);

@@ -85,7 +85,7 @@ std::vector<NavigationMinimum> NavigationField::minima(const NavigationQuery& qu
     if (potential() == NavigationPotential::walked) return found;
     const dtNavMesh& detour = *query.state().ground().detour;
     navigation::each_polygon(detour, [&](dtPolyRef polygon, const dtMeshTile& tile, const dtPoly& sides) {
-        if (!navigation::is_open(sides)) return;
+        if (!query.state().is_open(sides)) return;
         const NavigationMinimum lowest = navigation::lowest_of(*state_, query.state(), polygon);
         const double slack = 1e-3 + 1e-6 * lowest.value;
         bool is_lowest = lowest.value > slack;
@@ -93,7 +93,7 @@ std::vector<NavigationMinimum> NavigationField::minima(const NavigationQuery& qu
             const dtMeshTile* next_tile = nullptr;
             const dtPoly* next = nullptr;
             if (dtStatusFailed(detour.getTileAndPolyByRef(tile.links[i].ref, &next_tile, &next)) ||
-                next->getType() != DT_POLYTYPE_GROUND || !navigation::is_open(*next))
+                next->getType() != DT_POLYTYPE_GROUND || !query.state().is_open(*next))
                 continue;
             is_lowest = navigation::lowest_of(*state_, query.state(), tile.links[i].ref).value >= lowest.value - slack;
         }

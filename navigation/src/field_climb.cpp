@@ -7,6 +7,7 @@
 #include "field_state.hpp"
 #include "follow_line.hpp"
 #include "follow_sight.hpp"
+#include "split_mix.hpp"
 
 namespace surefoot::navigation {
 namespace {
@@ -17,15 +18,6 @@ constexpr int longest_along_wall = 8000;
 constexpr int shortest_random = 16;  ///< the first random walk; each is twice as long as the one before [steps]
 constexpr int longest_random = 2048;
 constexpr std::size_t most_points = 200'000;  ///< of a line
-
-/// The next of a row of numbers that look random (SplitMix64).
-std::uint64_t next_random(std::uint64_t& state) {
-    state += 0x9e3779b97f4a7c15U;
-    std::uint64_t bits = state;
-    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
-    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
-    return bits ^ (bits >> 31);
-}
 
 class Climb {
 public:
@@ -150,7 +142,7 @@ private:
     bool go_to_virtual_goal() {
         const double lowest = value(here_);
         const dtNavMesh& detour = *query_.state().ground().detour;
-        for (const dtPolyRef polygon : reachable(detour, here_.polygon.id)) {
+        for (const dtPolyRef polygon : reachable(detour, here_.polygon.id, query_.state().shut)) {
             if (detour.getOffMeshConnectionByRef(polygon) != nullptr) continue;
             const NavigationMinimum there = lowest_of(field_, query_.state(), polygon);
             if (!(there.value < lowest - options_.step / 2)) continue;

@@ -73,13 +73,13 @@ public:
 
 private:
     void add_doors(dtPolyRef reference, const dtMeshTile& tile, const dtPoly& polygon) {
-        if (!is_open(polygon)) return;
+        if (!query_.is_open(polygon)) return;
         for (unsigned int i = polygon.firstLink; i != DT_NULL_LINK; i = tile.links[i].next) {
             const dtPolyRef to = tile.links[i].ref;
             const dtMeshTile* to_tile = nullptr;
             const dtPoly* to_polygon = nullptr;
             if (to == 0 || dtStatusFailed(detour_.getTileAndPolyByRef(to, &to_tile, &to_polygon)) ||
-                !is_open(*to_polygon))
+                !query_.is_open(*to_polygon))
                 continue;
             const std::optional<Portal> portal = portal_between(detour_, reference, to);
             if (!portal) continue;

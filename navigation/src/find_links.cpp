@@ -35,7 +35,9 @@ struct Found {
 class Finder {
 public:
     explicit Finder(const LinkGround& ground)
-        : proposer_(ground), proof_(ground.world, ground.settings, ground.mesh, ground.islands, ground.options) {}
+        : tiles_(ground.mesh.state()),
+          proposer_(ground),
+          proof_(ground.world, ground.settings, ground.mesh, ground.islands, ground.options) {}
 
     [[nodiscard]] Found from(const BorderPlace& place) { return proven(proposer_.from(place)); }
 
@@ -44,6 +46,10 @@ public:
         const std::uint64_t before = proof_.ticks();
         for (LinkProposal& proposal : proposals) {
             if (!proposer_.is_useful(proposal, found.done)) continue;
+            if (!tiles_.are_near(proposal.link.from, proposal.link.to)) {
+                ++found.report.too_long;
+                continue;
+            }
             const auto kind = static_cast<std::size_t>(proposal.link.kind);
             ++found.report.tried[kind];
             if (!proof_.holds(proposal.link, proposal.to_island)) continue;
@@ -55,6 +61,7 @@ public:
     }
 
 private:
+    const MeshState& tiles_;
     LinkProposer proposer_;
     LinkProof proof_;
 };
@@ -131,6 +138,7 @@ std::vector<NavigationLink> find_links(const World& world, const CharacterSettin
                 all.tried[kind] += found.report.tried[kind];
                 all.done[kind] += found.report.done[kind];
             }
+            all.too_long += found.report.too_long;
             all.ticks += found.report.ticks;
         }
         if (options.stop != nullptr && *options.stop) done.clear();

@@ -6,6 +6,7 @@
 #include <surefoot/character.hpp>
 #include <surefoot/navigation_flood.hpp>
 
+#include "forbidden.hpp"
 #include "mesh_state.hpp"
 #include "threads.hpp"
 
@@ -13,6 +14,7 @@ namespace surefoot {
 inline namespace v0 {
 namespace {
 
+using navigation::Forbidden;
 using navigation::Frame;
 
 constexpr double tick = 1.0 / 60;
@@ -117,6 +119,7 @@ private:
         double in_air = 0;
         double walked = 0;
         CharacterInput input{.up = frame_.y};
+        const Forbidden forbidden{options_.regions, options_.surface_areas};
         // It may fall off the cell in which it landed, again and again.
         const double longest_in_all = 3 * (longest + options_.longest_fall);
         for (double time = 0; walked < longest && time < longest_in_all; time += tick) {
@@ -130,6 +133,7 @@ private:
             input.wish = distance > 0 ? frame_.turned_out(way * (speed / distance)) : dvec3{0, 0, 0};
             const StepResult result = step(world_, settings_, input, tick, state);
             state = result.state;
+            if (forbidden.any() && forbidden.holds(state, state.position - frame_.y * agent_.feet)) break;
             if (state.footing == Footing::ground) {
                 if (in_air > 0.1) {
                     goal = column_of(feet_of(state));

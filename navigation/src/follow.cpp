@@ -25,6 +25,8 @@ constexpr double gentle = 0.25;          ///< of the deceleration, before a link
 constexpr double hold_before = 1.5;      ///< so far before a link that is taken it waits [m]
 constexpr double slowest = 0.5;          ///< before a link [m/s]
 constexpr double back = 0.5;             ///< it may be pushed back along the line so far without a new plan [m]
+constexpr double at_place_back = 0.1;    ///< on the way back to the mesh [m]
+constexpr double patience_led = 20;      ///< times `patience` for that way
 
 }  // namespace
 
@@ -65,72 +67,6 @@ void NavigationFollower::arrive() noexcept {
     drives_ = false;
 }
 
-void NavigationFollower::go(const NavigationQuery& query, const dvec3& goal) {
-    const std::optional<NavigationPoint> found =
-        query.nearest(goal, options_.beside_mesh, std::max(options_.beside_mesh, query.mesh().agent().height));
-    if (!found) {
-        goal_ = {goal, {}};
-        return give_up(Reason::goal_off_mesh);
-    }
-    const double moved = length(found->position - goal_.position);
-    if (status_ == Status::following && field_ == nullptr) return move_goal(query, *found);
-    if (status_ == Status::arrived && moved <= options_.arrival) return;
-    if (status_ == Status::gave_up && reason_ != Reason::goal_off_mesh &&
-        length(found->position - planned_goal_) <= options_.goal_moved)
-        return;
-    field_ = nullptr;
-    begin(*found);
-}
-
-void NavigationFollower::go(const NavigationQuery&, const NavigationField& field,
-                            const NavigationDescendOptions& options) {
-    if (field_ == &field && status_ == Status::following) return;
-    field_ = &field;
-    descend_ = options;
-    path_ = {};
-    begin(field.goal());
-}
-
-void NavigationFollower::begin(const NavigationPoint& goal) {
-    status_ = Status::following;
-    reason_ = Reason::none;
-    goal_ = goal;
-    wants_plan_ = true;
-    least_left_ = std::numeric_limits<double>::infinity();
-    without_ = lost_ = since_check_ = 0;
-    tried_ = 0;
-    plans_ = links_ = 0;
-    careful_.clear();
-    failed_.clear();
-    avoided_.clear();
-    line_.points.clear();
-    along_ = begin_ = best_along_ = 0;
-}
-
-void NavigationFollower::move_goal(const NavigationQuery& query, const NavigationPoint& goal) {
-    const dvec3 moved = goal.position - goal_.position;
-    if (dot(moved, moved) == 0) return;
-    const bool is_far = length(goal.position - planned_goal_) > std::max(options_.goal_moved, left() / 10);
-    const NavigationPoint before = goal_;
-    goal_ = goal;
-    if (wants_plan_ || line_.points.empty()) return;
-    if (is_far || path_.partial || !navigation::sees(query.state(), before, goal.position)) {
-        wants_plan_ = true;
-        least_left_ = std::numeric_limits<double>::infinity();
-        return;
-    }
-    // The end of the line follows: straight from the last bend where that can be seen, else from the old end.
-    std::vector<NavigationLine::Point>& points = line_.points;
-    const std::size_t last = points.size() - 1;
-    if (last > 0 && !points[last - 1].link && navigation::sees(query.state(), goal, points[last - 1].position))
-        points.pop_back();
-    points.push_back({.position = goal.position,
-                      .along = points.back().along + length(goal.position - points.back().position),
-                      .link = {}});
-    along_ = std::min(along_, points.back().along);
-    best_along_ = std::min(best_along_, along_);
-}
-
 bool NavigationFollower::locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet) {
     const NavigationAgent& agent = query.mesh().agent();
     const dvec3& up = query.mesh().up();
@@ -153,56 +89,6 @@ bool NavigationFollower::locate(const NavigationQuery& query, const CharacterSta
     return true;
 }
 
-std::optional<NavigationPoint> NavigationFollower::step_aside(const NavigationQuery& query) const {
-    const dvec3& up = query.mesh().up();
-    const dvec3 ahead = level(aim_ - place_.position, up);
-    const double size = length(ahead);
-    if (!(size > 0)) return std::nullopt;
-    // Back and to the left, the next time to the right.
-    const dvec3 left = navigation::cross(up, ahead / size);
-    const double turn = tried_ % 4 == 2 ? 1 : -1;
-    const double reach = 2 * query.mesh().agent().radius;
-    const dvec3 to = place_.position + left * (turn * reach) - ahead / size * reach;
-    return navigation::moved_along(query.state(), place_, to);
-}
-
-bool NavigationFollower::plan(const NavigationQuery& query) {
-    wants_plan_ = false;
-    ++plans_;
-    planned_goal_ = goal_.position;
-    const std::optional<NavigationPoint> beside = tried_ > 0 && tried_ % 2 == 0 ? step_aside(query) : std::nullopt;
-    along_ = begin_ = best_along_ = 0;
-    without_ = since_check_ = 0;
-    if (field_ != nullptr) return plan_down(query, beside);
-    std::optional<NavigationPath> path = find_path(query, beside.value_or(place_));
-    if (!path || (path->partial && !options_.go_near)) {
-        give_up(Reason::no_path);
-        return false;
-    }
-    path_ = std::move(*path);
-    // A line that keeps away from walls gets past what the shortest one snags on.
-    line_ = tried_ % 2 == 1 ? navigation::middle_line(path_) : navigation::pulled_line(path_);
-    if (beside) line_ = navigation::line_from(place_.position, line_);
-    return true;
-}
-
-std::optional<NavigationPath> NavigationFollower::find_path(const NavigationQuery& query, const NavigationPoint& from) {
-    std::optional<NavigationPath> path = query.path(from, goal_, avoided_);
-    // Rather a link that failed than no way at all.
-    if ((!path || path->partial) && !avoided_.empty()) return query.path(from, goal_);
-    return path;
-}
-
-bool NavigationFollower::plan_down(const NavigationQuery& query, const std::optional<NavigationPoint>& beside) {
-    NavigationDescent descent = field_->descend(query, beside.value_or(place_), descend_);
-    if (field_->potential() == NavigationPotential::straight)
-        descent.line = navigation::without_loops(descent.line, query.mesh().agent().radius);
-    line_ = beside ? navigation::line_from(place_.position, descent.line) : std::move(descent.line);
-    if (descent.arrived || (options_.go_near && !line_.points.empty())) return true;
-    give_up(descent.minima.empty() ? Reason::no_path : Reason::local_minimum);
-    return false;
-}
-
 void NavigationFollower::move_along(const NavigationQuery& query) {
     const double stop = navigation::next_stop(line_, begin_);
     const navigation::NearestOnLine nearest =
@@ -210,6 +96,24 @@ void NavigationFollower::move_along(const NavigationQuery& query) {
                                std::min(stop, along_ + options_.look_ahead + 1));
     along_ = nearest.along;
     if (nearest.distance > options_.off_path) wants_plan_ = true;
+}
+
+CharacterInput NavigationFollower::find_back(const NavigationQuery& query, const CharacterState& state,
+                                             const dvec3& feet, double dt) {
+    const dvec3& up = query.mesh().up();
+    CharacterInput input{.up = up};
+    // Ground that was taken out, or was shut while somebody stood there, leads back to what is left, mostly.
+    for (const dvec3& place : query.way_back(feet)) {
+        const dvec3 way = level(place - feet, up);
+        if (length(way) < at_place_back) continue;
+        aim_ = place;
+        input.wish = way * (options_.speed / 2 / length(way));
+        break;
+    }
+    const bool is_led = length(input.wish) > 0;
+    lost_ += is_led ? dt / patience_led : state.footing == Footing::air ? dt / 4 : dt;
+    if (lost_ > options_.patience) give_up(Reason::off_mesh);
+    return input;
 }
 
 void NavigationFollower::try_again(NavigationFollowReason reason) noexcept {
@@ -317,6 +221,7 @@ bool NavigationFollower::begin_link(const NavigationQuery& query) {
              .takeoff = link.takeoff,
              .kind = link.kind,
              .speed = link.speed,
+             .air_jumps = link.air_jumps,
              .seconds = link.seconds,
              .tick = link.tick,
              .inputs = {}};
@@ -370,15 +275,11 @@ CharacterInput NavigationFollower::input(const NavigationQuery& query, const Cha
     const NavigationAgent& agent = query.mesh().agent();
     const dvec3& up = query.mesh().up();
     const CharacterInput still{.up = up};
-    if (status_ != Status::following || !(dt > 0)) return still;
+    if (status_ != Status::following || !(dt > 0) || !refresh(query)) return still;
     if (drives_) return drive_link(query, state, settings, dt);
 
     const dvec3 feet = state.position - up * agent.feet;
-    if (!locate(query, state, feet)) {
-        lost_ += state.footing == Footing::air ? dt / 4 : dt;
-        if (lost_ > options_.patience) give_up(Reason::off_mesh);
-        return still;
-    }
+    if (!locate(query, state, feet)) return find_back(query, state, feet, dt);
     lost_ = 0;
     since_check_ += dt;
     if (since_check_ > between_checks) {

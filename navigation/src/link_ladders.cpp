@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace surefoot::navigation {
 namespace {
@@ -108,7 +109,7 @@ std::vector<LinkProposal> ladder_proposals(const LinkGround& ground) {
         std::none_of(ground.settings.surfaces.all().begin(), ground.settings.surfaces.all().end(),
                      [](const SurfaceRule& rule) { return rule.ladder; }))
         return proposals;
-    const NavigationQuery query(ground.mesh, 16);
+    const NavigationQuery query(ground.mesh, 16, NavigationDoors::open);
     const NavigationAgent& agent = ground.mesh.agent();
     const dvec3 up = ground.mesh.up();
     const double vertical = agent.climb + 0.3;
@@ -133,6 +134,11 @@ std::vector<LinkProposal> ladder_proposals(const LinkGround& ground) {
                 link.kind = NavigationLinkKind::ladder;
                 link.speed = ground.options.run_speed;
                 link.seconds = (ladder.high - ladder.low) / ground.settings.ladder_speed + 1;
+                proposals.push_back(proposal);
+                std::swap(proposal.from_island, proposal.to_island);
+                std::swap(link.from, link.to);
+                link.takeoff = link.from;
+                link.seconds += 1;
                 proposals.push_back(proposal);
             }
         }

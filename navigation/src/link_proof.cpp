@@ -5,6 +5,8 @@
 
 #include <surefoot/navigation_drive.hpp>
 
+#include "forbidden.hpp"
+
 namespace surefoot {
 
 namespace navigation {
@@ -18,8 +20,12 @@ constexpr double strays = 0.6;
 constexpr double set_out = 1;
 
 void record_input(NavigationLink& link, const CharacterInput& input) {
-    const NavigationInput told{.wish = input.wish, .ticks = 1, .jump = input.jump ? std::uint8_t{1} : std::uint8_t{0}};
-    if (!link.inputs.empty() && link.inputs.back().wish == told.wish && link.inputs.back().jump == told.jump)
+    const NavigationInput told{.wish = input.wish,
+                               .ticks = 1,
+                               .jump = input.jump ? std::uint8_t{1} : std::uint8_t{0},
+                               .crouch = input.crouch ? std::uint8_t{1} : std::uint8_t{0}};
+    if (!link.inputs.empty() && link.inputs.back().wish == told.wish && link.inputs.back().jump == told.jump &&
+        link.inputs.back().crouch == told.crouch)
         ++link.inputs.back().ticks;
     else
         link.inputs.push_back(told);
@@ -52,16 +58,10 @@ LinkProof::LinkProof(const World& world, const CharacterSettings& settings, cons
       options_(options),
       agent_(mesh.agent()),
       up_(mesh.up()),
-      query_(mesh, 16) {}
+      query_(mesh, 16, NavigationDoors::open) {}
 
 bool LinkProof::is_forbidden(const CharacterState& state) const {
-    if (state.footing != Footing::ground) return false;
-    const dvec3 feet = state.position - up_ * agent_.feet;
-    return std::any_of(options_.regions.begin(), options_.regions.end(), [&](const NavigationRegion& region) {
-        const dvec3 inside = to_body(region.pose, feet);
-        return region.kind == NavigationRegion::Kind::forbid && std::abs(inside.x) <= region.half_extents.x &&
-               std::abs(inside.y) <= region.half_extents.y && std::abs(inside.z) <= region.half_extents.z;
-    });
+    return Forbidden{options_.regions, options_.surface_areas}.holds(state, state.position - up_ * agent_.feet);
 }
 
 bool LinkProof::stands(CharacterState state, const dvec3& to, std::uint32_t island) {

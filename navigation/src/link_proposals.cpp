@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "forbidden.hpp"
+
 namespace surefoot::navigation {
 namespace {
 
@@ -18,27 +20,37 @@ constexpr double least_facing = 0.3;
 
 }  // namespace
 
-double jump_range(const CharacterSettings& settings, double speed, double rise) {
+double jump_range(const CharacterSettings& settings, double speed, double rise, std::uint32_t air_jumps) {
     if (!(settings.gravity > 0)) return 0;
-    const double squared = 2 * settings.gravity * (settings.jump_height - rise);
+    const double jumps = 1.0 + air_jumps;
+    const double squared = 2 * settings.gravity * (jumps * settings.jump_height - rise);
     if (!(squared >= 0)) return 0;
     const double up = std::sqrt(2 * settings.gravity * settings.jump_height);
-    return speed * (up + std::sqrt(squared)) / settings.gravity;
+    return speed * (jumps * up + std::sqrt(squared)) / settings.gravity;
 }
 
-double highest_jump(const CharacterSettings& settings, double radius) {
+double highest_jump(const CharacterSettings& settings, double radius, std::uint32_t air_jumps) {
     // A round body gets over an edge a little before its feet do; hands pull it up.
     const double over = settings.ledge_reach > 0 ? std::max(settings.hands_height, radius / 2) : radius / 2;
-    return std::max(settings.jump_height + over, settings.vault_height);
+    return std::max((1.0 + air_jumps) * settings.jump_height + over, settings.vault_height);
 }
 
 double longest_jump(const CharacterSettings& settings, const NavigationLinkOptions& options) {
     // Whoever falls for longer gets farther, but a way down is taken nearer by.
-    return std::max({1.0, 1.25 * jump_range(settings, options.run_speed, 0) + 2 * inset, highest_jump(settings, 1)});
+    return std::max({1.0, 1.25 * jump_range(settings, options.run_speed, 0, most_air_jumps(settings)) + 2 * inset,
+                     highest_jump(settings, 1, most_air_jumps(settings))});
+}
+
+std::uint32_t most_air_jumps(const CharacterSettings& settings) {
+    // Whoever jumps more often than that flies, and of flying no mesh is made.
+    return std::min<std::uint32_t>(settings.air_jumps, 4);
 }
 
 LinkProposer::LinkProposer(const LinkGround& ground)
-    : ground_(ground), agent_(ground.mesh.agent()), up_(ground.mesh.up()), query_(ground.mesh, 4096) {}
+    : ground_(ground),
+      agent_(ground.mesh.agent()),
+      up_(ground.mesh.up()),
+      query_(ground.mesh, 4096, NavigationDoors::open) {}
 
 double LinkProposer::above(const dvec3& from, const dvec3& to) const {
     return dot(to - from, up_);
@@ -59,7 +71,7 @@ dvec3 LinkProposer::along_ground(const dvec3& place, const dvec3& way, double mo
 }
 
 void LinkProposer::add(NavigationLinkKind kind, const BorderPlace& place, const dvec3& to, std::uint32_t to_island,
-                       double behind, double rank) {
+                       double behind, double rank, std::uint32_t air_jumps) {
     dvec3 way = level(to - place.place);
     const double size = length(way);
     if (!(size > 1e-6)) return;
@@ -67,13 +79,14 @@ void LinkProposer::add(NavigationLinkKind kind, const BorderPlace& place, const 
     LinkProposal proposal{.link = {}, .from_island = place.island, .to_island = to_island, .rank = rank + behind};
     NavigationLink& link = proposal.link;
     link.kind = kind;
+    link.air_jumps = air_jumps;
     link.to = to;
     link.takeoff = along_ground(place.place, -way, behind);
     link.from = kind == NavigationLinkKind::step_up ? link.takeoff : along_ground(link.takeoff, -way, run_up);
     const double fall = std::max(0.0, above(to, place.place));
     for (const double share : {1.0, 0.5}) {
         link.speed = ground_.options.run_speed * share;
-        link.seconds = (length(link.to - link.from)) / link.speed + 1 +
+        link.seconds = (length(link.to - link.from)) / link.speed + 1.0 + air_jumps +
                        (ground_.settings.gravity > 0 ? std::sqrt(2 * fall / ground_.settings.gravity) : 0);
         found_.push_back(proposal);
         proposal.rank += 2;
@@ -109,13 +122,24 @@ void LinkProposer::add_crossing(const BorderPlace& place, const BorderPlace& goa
 }
 
 void LinkProposer::add_jumps(const BorderPlace& place, const BorderPlace& goal, const dvec3& to, double rank) {
-    add(NavigationLinkKind::jump, place, to, goal.island, 0, rank);
-    // Whoever is late must not step on to forbidden ground.
-    if (!ground_.options.regions.empty())
-        add(NavigationLinkKind::jump, place, to, goal.island, ground_.options.margins.along + 0.1, rank);
-    if (above(place.place, goal.place) <= agent_.climb) return;
-    // Up a wall there may be more way to rise on from farther back.
-    for (const double behind : {0.6, 1.2}) add(NavigationLinkKind::jump, place, to, goal.island, behind, rank);
+    const CharacterSettings& settings = ground_.settings;
+    const double rise = above(place.place, goal.place);
+    const double distance = length(level(goal.place - place.place)) - 2 * agent_.radius;
+    for (std::uint32_t air = 0; air <= most_air_jumps(settings); ++air) {
+        if (rise > highest_jump(settings, agent_.radius, air)) continue;
+        const double height = (1.0 + air) * settings.jump_height;
+        if (distance > jump_range(settings, ground_.options.run_speed, std::min(rise, height), air)) continue;
+        // One jump is the surest, where it gets there.
+        const double worse = rank + 4.0 * air;
+        add(NavigationLinkKind::jump, place, to, goal.island, 0, worse, air);
+        // Whoever is late must not step on to forbidden ground.
+        if (Forbidden{ground_.options.regions, ground_.options.surface_areas}.any())
+            add(NavigationLinkKind::jump, place, to, goal.island, ground_.options.margins.along + 0.1, worse, air);
+        if (rise <= agent_.climb) continue;
+        // Up a wall there may be more way to rise on from farther back.
+        for (const double behind : {0.6, 1.2})
+            add(NavigationLinkKind::jump, place, to, goal.island, behind, worse, air);
+    }
 }
 
 bool LinkProposer::is_walled(const dvec3& from, const dvec3& to, bool jumps) const {
@@ -127,7 +151,7 @@ bool LinkProposer::is_walled(const dvec3& from, const dvec3& to, bool jumps) con
     if (!jumps) return true;
     const double rise = above(from, to);
     const double least = std::max(rise, 0.0);
-    const double most = std::max(ground_.settings.jump_height, least);
+    const double most = std::max((1.0 + most_air_jumps(ground_.settings)) * ground_.settings.jump_height, least);
     for (const double lift : {least, (least + most) / 2, most})
         if (!is_blocked(from + middle + up_ * lift, to + middle + up_ * (lift - rise))) return false;
     return true;
@@ -140,15 +164,16 @@ void LinkProposer::add_crossings(const BorderPlace& place) {
         std::uint32_t number = 0;
     };
     std::vector<Goal> goals;
-    const double highest = highest_jump(ground_.settings, agent_.radius);
+    const std::uint32_t air = most_air_jumps(ground_.settings);
+    const double highest = highest_jump(ground_.settings, agent_.radius, air);
+    const double height = (1.0 + air) * ground_.settings.jump_height;
     ground_.spots.any_near(place.place, [&](std::uint32_t number) {
         const BorderPlace& goal = ground_.places[number];
         const double rise = above(place.place, goal.place);
         if (rise < -options.deepest_drop || rise > highest) return false;
         const dvec3 way = level(goal.place - place.place);
         const double distance = length(way);
-        const double range =
-            jump_range(ground_.settings, options.run_speed, std::min(rise, ground_.settings.jump_height));
+        const double range = jump_range(ground_.settings, options.run_speed, std::min(rise, height), air);
         if (distance > range + 2 * agent_.radius || distance < 1e-3) return false;
         // Close by, at the two sides of a thin gap, directions say little.
         if (distance > agent_.radius &&

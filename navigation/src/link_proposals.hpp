@@ -30,10 +30,13 @@ struct LinkGround {
 };
 
 /// How far a jump leads that ends so much higher, seen from above [m]; 0 if it does not rise so high.
-[[nodiscard]] double jump_range(const CharacterSettings& settings, double speed, double rise);
+[[nodiscard]] double jump_range(const CharacterSettings& settings, double speed, double rise, std::uint32_t air_jumps);
 
 /// How high a jump leads, by hands too [m].
-[[nodiscard]] double highest_jump(const CharacterSettings& settings, double radius);
+[[nodiscard]] double highest_jump(const CharacterSettings& settings, double radius, std::uint32_t air_jumps);
+
+/// How many jumps in the air a link may have.
+[[nodiscard]] std::uint32_t most_air_jumps(const CharacterSettings& settings);
 
 /// No proposal goes farther than this [m].
 [[nodiscard]] double longest_jump(const CharacterSettings& settings, const NavigationLinkOptions& options);
@@ -57,7 +60,7 @@ private:
     /// Is the walk so long that the link is wanted?
     [[nodiscard]] bool is_far(const dvec3& from, const dvec3& to, const NavigationLink& link);
     void add(NavigationLinkKind kind, const BorderPlace& place, const dvec3& to, std::uint32_t to_island, double behind,
-             double rank);
+             double rank, std::uint32_t air_jumps = 0);
     /// Is there a wall between them that reaches up farther than a jump leads, or for those who walk at all?
     [[nodiscard]] bool is_walled(const dvec3& from, const dvec3& to, bool jumps) const;
     /// Along the ground, as far as it goes and `most` at most.

@@ -112,10 +112,13 @@ bool NavigationMesh::set_area(std::uint32_t area, bool closed, double cost) noex
     const bool known = area < state_->areas.size() && cost >= 1 && cost <= navigation::most_cost;
     assert(known && "NavigationMesh::set_area: an area that is there, and a cost from 1 to 1e6");
     if (!known) return false;
+    ++state_->changes;
     state_->areas[area].closed = closed;
     state_->areas[area].cost = cost;
     navigation::change_flags(*state_->detour, [&](const dtPoly& polygon) {
-        if (polygon.getArea() != navigation::detour_area(area)) return polygon.flags;
+        // A link is no ground: it is open as long as both its ends are.
+        if (polygon.getType() != DT_POLYTYPE_GROUND || polygon.getArea() != navigation::detour_area(area))
+            return polygon.flags;
         return static_cast<std::uint16_t>(closed ? polygon.flags | navigation::closed
                                                  : polygon.flags & ~navigation::closed);
     });
@@ -123,6 +126,7 @@ bool NavigationMesh::set_area(std::uint32_t area, bool closed, double cost) noex
 }
 
 void NavigationMesh::take_out(std::span<const NavigationPolygon> polygons, bool out) noexcept {
+    ++state_->changes;
     for (const NavigationPolygon& polygon : polygons) {
         unsigned short flags = 0;
         if (dtStatusFailed(state_->detour->getPolyFlags(polygon.id, &flags))) continue;

@@ -26,9 +26,9 @@ inline constexpr std::uint16_t walkable = 1;
 inline constexpr std::uint16_t closed = 2;     ///< of an area that is closed
 inline constexpr std::uint16_t taken_out = 4;  ///< by `NavigationMesh::take_out`
 
-/// Does a path go over it?
-[[nodiscard]] inline bool is_open(const dtPoly& polygon) {
-    return (polygon.flags & walkable) != 0 && (polygon.flags & (closed | taken_out)) == 0;
+/// Does a path go over it, for which these flags are what shuts?
+[[nodiscard]] inline bool is_open(const dtPoly& polygon, std::uint16_t shut = closed | taken_out) {
+    return (polygon.flags & walkable) != 0 && (polygon.flags & shut) == 0;
 }
 
 struct MeshState {
@@ -42,12 +42,16 @@ struct MeshState {
     std::vector<std::byte> bytes;
     DetourMesh detour;
     double seconds = 0;
+    std::uint64_t changes = 1;       ///< counts whatever changes what queries answer
+    std::uint64_t link_changes = 1;  ///< counts what gives other numbers to links
 
     [[nodiscard]] std::size_t tile_index(int x, int z) const {
         return static_cast<std::size_t>(z) * static_cast<std::size_t>(plan.tiles_x) + static_cast<std::size_t>(x);
     }
     /// Which tile a place of the frame lies in, clamped to the grid.
     [[nodiscard]] std::size_t tile_at(const vec3& place) const;
+    /// Do two places of the world lie in one tile, or in tiles that touch? Detour joins no others by a link.
+    [[nodiscard]] bool are_near(const dvec3& from, const dvec3& to) const;
 };
 
 /// An empty Detour mesh for the plan. Fails with `limit` when references of 32 bits cannot name what it needs.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "link_proposals.hpp"
+
 namespace surefoot::navigation {
 namespace {
 
@@ -51,6 +53,17 @@ Extent extent_of(const World& world, std::uint64_t layers, const Frame& frame) {
     return extent;
 }
 
+/// So wide that what the character jumps and drops ends in the next tile at the latest.
+int chosen_tile_cells(const CharacterSettings& settings, double cell_size) {
+    constexpr int least = 96;
+    constexpr int most = 1024;
+    constexpr double run_up = 1.2;  // from where a link begins to where the feet leave, and from there to where it ends
+    const NavigationLinkOptions usual;
+    const double longest =
+        run_up + jump_range(settings, usual.run_speed, -usual.deepest_drop, most_air_jumps(settings));
+    return static_cast<int>(std::clamp(std::ceil(longest / cell_size), double{least}, double{most}));
+}
+
 bool is_usable(const NavigationAgent& agent) {
     return agent.radius > 0 && agent.height > 0 && agent.climb >= 0 && agent.slope_limit_deg >= 0 &&
            agent.slope_limit_deg <= 89 && is_finite({agent.radius, agent.height, agent.climb}) &&
@@ -63,7 +76,7 @@ std::optional<Error> fault_of(const NavigationOptions& options) {
     if (!(options.cell_size >= 0) || !(options.cell_height >= 0) || !std::isfinite(options.cell_size) ||
         !std::isfinite(options.cell_height))
         return invalid("navigation: a cell's size is not a length; leave it 0 to have it chosen");
-    if (options.tile_cells < 16 || options.tile_cells > 1024)
+    if (options.tile_cells != 0 && (options.tile_cells < 16 || options.tile_cells > 1024))
         return invalid("navigation: a tile has 16 to 1024 cells a side, not " + std::to_string(options.tile_cells));
     if (options.threads < 1 || options.threads > 64)
         return invalid("navigation: 1 to 64 threads, not " + std::to_string(options.threads));
@@ -78,7 +91,7 @@ std::optional<Error> fault_of(const NavigationOptions& options) {
             return invalid("navigation: area '" + area.name +
                            "' costs less than plain ground or too much; 1 is the least, 1e6 the most");
     for (const std::uint32_t area : options.surface_areas)
-        if (area >= known)
+        if (area >= known && area != forbidden_area)
             return invalid("navigation: a surface is of area " + std::to_string(area) + ", which is not there");
     for (const NavigationRegion& region : options.regions) {
         if (!is_valid(region.pose) || !is_finite(region.half_extents) || !(region.half_extents.x > 0) ||
@@ -134,8 +147,8 @@ Expected<Plan> make_plan(const World& world, const CharacterSettings& settings, 
     plan.agent = options.agent.value_or(navigation_agent(settings));
     plan.cell_size = options.cell_size > 0 ? options.cell_size : plan.agent.radius / 4;
     plan.cell_height = options.cell_height > 0 ? options.cell_height : plan.cell_size / 2;
-    plan.tile_cells = options.tile_cells;
-    plan.tile_size = plan.cell_size * options.tile_cells;
+    plan.tile_cells = options.tile_cells != 0 ? options.tile_cells : chosen_tile_cells(settings, plan.cell_size);
+    plan.tile_size = plan.cell_size * plan.tile_cells;
     plan.layers = options.layers;
     plan.frame = Frame::about({0, 0, 0}, options.up);
     const Extent extent = extent_of(world, options.layers, plan.frame);
@@ -186,9 +199,10 @@ std::vector<GroundTriangle> ground_of_tile(const World& world, const CharacterSe
         const double size = length(normal);
         // Triangles stop from both sides, so both are ground.
         const bool level = size > 0 && std::abs(dot(normal, plan.frame.y)) >= least_rise * size;
-        if (level && !settings.surfaces[source.surface].slippery)
-            triangle.area =
-                detour_area(source.surface < options.surface_areas.size() ? options.surface_areas[source.surface] : 0);
+        const std::uint32_t area =
+            source.surface < options.surface_areas.size() ? options.surface_areas[source.surface] : 0;
+        if (level && area != forbidden_area && !settings.surfaces[source.surface].slippery)
+            triangle.area = detour_area(area);
         ground.push_back(triangle);
     }
     return ground;

@@ -20,7 +20,7 @@ DetourQuery make_detour_query(const dtNavMesh& mesh, std::size_t most_nodes) {
 
 void QueryState::refresh_filter() {
     filter.setIncludeFlags(walkable);
-    filter.setExcludeFlags(closed | taken_out);
+    filter.setExcludeFlags(shut);
     const std::vector<NavigationArea>& areas = ground().areas;
     for (std::size_t i = 0; i < areas.size(); ++i)
         filter.setAreaCost(detour_area(static_cast<std::uint32_t>(i)), static_cast<float>(areas[i].cost));
@@ -34,15 +34,53 @@ NavigationPoint QueryState::point(dtPolyRef polygon, const float* place) const {
     return {frame().out(place), {polygon}};
 }
 
+bool QueryState::begin(const NavigationPoint& from, const NavigationPoint& to) {
+    refresh_filter();
+    search_from = from;
+    search_to = to;
+    if (!knows(from.polygon) || !knows(to.polygon) || !is_place(from.position) || !is_place(to.position)) return false;
+    const vec3 start = frame().in(from.position);
+    const vec3 end = frame().in(to.position);
+    return !dtStatusFailed(detour->initSlicedFindPath(from.polygon.id, to.polygon.id, &start.x, &end.x, &filter));
+}
+
+bool QueryState::advance(std::size_t rounds) {
+    int done = 0;
+    return dtStatusInProgress(
+        detour->updateSlicedFindPath(static_cast<int>(std::min<std::size_t>(rounds, 1U << 30)), &done));
+}
+
+std::optional<NavigationPath> QueryState::finish() {
+    std::vector<dtPolyRef> polygons(most_nodes);
+    int count = 0;
+    const dtStatus status = detour->finalizeSlicedFindPath(polygons.data(), &count, static_cast<int>(polygons.size()));
+    if (dtStatusFailed(status) || count == 0) return std::nullopt;
+    polygons.resize(static_cast<std::size_t>(count));
+    NavigationPoint to = search_to;
+    const bool partial = polygons.back() != to.polygon.id;
+    if (partial) {
+        // As near to the goal as the last polygon lets it.
+        const vec3 goal = frame().in(to.position);
+        std::array<float, 3> nearest{};
+        bool over = false;
+        if (dtStatusSucceed(detour->closestPointOnPoly(polygons.back(), &goal.x, nearest.data(), &over)))
+            to = point(polygons.back(), nearest.data());
+    }
+    NavigationPath path = path_along(*this, polygons, search_from, to);
+    path.partial = partial;
+    return path;
+}
+
 }  // namespace navigation
 
 inline namespace v0 {
 
 using navigation::QueryState;
 
-NavigationQuery::NavigationQuery(const NavigationMesh& mesh, std::size_t most_nodes)
+NavigationQuery::NavigationQuery(const NavigationMesh& mesh, std::size_t most_nodes, NavigationDoors doors)
     : state_(std::make_unique<QueryState>()) {
     state_->mesh = &mesh;
+    if (doors == NavigationDoors::open) state_->shut = navigation::taken_out;
     state_->most_nodes = std::clamp<std::size_t>(most_nodes, 16, 65535);
     state_->detour = navigation::make_detour_query(*mesh.state().detour, state_->most_nodes);
     state_->refresh_filter();
@@ -179,22 +217,11 @@ std::optional<NavigationPoint> NavigationQuery::nearest(const dvec3& place, doub
 }
 
 bool NavigationQuery::begin_search(const NavigationPoint& from, const NavigationPoint& to) {
-    state_->refresh_filter();
-    state_->search_from = from;
-    state_->search_to = to;
-    if (!state_->knows(from.polygon) || !state_->knows(to.polygon) || !navigation::is_place(from.position) ||
-        !navigation::is_place(to.position))
-        return false;
-    const vec3 start = state_->frame().in(from.position);
-    const vec3 end = state_->frame().in(to.position);
-    return !dtStatusFailed(
-        state_->detour->initSlicedFindPath(from.polygon.id, to.polygon.id, &start.x, &end.x, &state_->filter));
+    return state_->begin(from, to);
 }
 
 bool NavigationQuery::advance_search(std::size_t rounds) {
-    int done = 0;
-    const int most = static_cast<int>(std::min<std::size_t>(rounds, 1U << 30));
-    return dtStatusInProgress(state_->detour->updateSlicedFindPath(most, &done));
+    return state_->advance(rounds);
 }
 
 std::size_t NavigationQuery::search_nodes(std::span<NavigationSearchNode> found) const {
@@ -212,31 +239,12 @@ std::size_t NavigationQuery::search_nodes(std::span<NavigationSearchNode> found)
 }
 
 std::optional<NavigationPath> NavigationQuery::finish_search() {
-    std::vector<dtPolyRef> polygons(state_->most_nodes);
-    int count = 0;
-    const dtStatus status =
-        state_->detour->finalizeSlicedFindPath(polygons.data(), &count, static_cast<int>(polygons.size()));
-    if (dtStatusFailed(status) || count == 0) return std::nullopt;
-    polygons.resize(static_cast<std::size_t>(count));
-    NavigationPoint to = state_->search_to;
-    const bool partial = polygons.back() != to.polygon.id;
-    if (partial) {
-        // As near to the goal as the last polygon lets it.
-        const vec3 goal = state_->frame().in(to.position);
-        std::array<float, 3> nearest{};
-        bool over = false;
-        if (dtStatusSucceed(state_->detour->closestPointOnPoly(polygons.back(), &goal.x, nearest.data(), &over)))
-            to = state_->point(polygons.back(), nearest.data());
-    }
-    NavigationPath path = navigation::path_along(*state_, polygons, state_->search_from, to);
-    path.partial = partial;
-    return path;
+    return state_->finish();
 }
 
 std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from, const NavigationPoint& to,
                                                     std::span<const NavigationPolygon> without) const {
-    NavigationQuery& self = const_cast<NavigationQuery&>(*this);
-    if (!self.begin_search(from, to)) return std::nullopt;
+    if (!state_->begin(from, to)) return std::nullopt;
     // Detour's filter knows kinds of polygons only. To the search, one that is done with at no cost is not worth a
     // look.
     for (const NavigationPolygon polygon : without) {
@@ -246,8 +254,8 @@ std::optional<NavigationPath> NavigationQuery::path(const NavigationPoint& from,
         node->cost = node->total = 0;
         node->flags = DT_NODE_CLOSED;
     }
-    while (self.advance_search(1024)) continue;
-    return self.finish_search();
+    while (state_->advance(1024)) continue;
+    return state_->finish();
 }
 
 }  // namespace v0

@@ -10,6 +10,7 @@
 
 #include "funnel.hpp"
 #include "mesh_state.hpp"
+#include "pieces.hpp"
 
 namespace surefoot::navigation {
 
@@ -32,6 +33,9 @@ struct QueryState {
     DetourQuery detour;
     dtQueryFilter filter;
     std::size_t most_nodes = 0;
+    std::uint16_t shut = closed | taken_out;  ///< flags of polygons that are no ground to it
+    Pieces pieces;                            ///< what `random` draws from,
+    std::uint64_t pieces_of = 0;              ///< as it was at this number of `MeshState::changes`
     NavigationPoint search_from;
     NavigationPoint search_to;
 
@@ -39,7 +43,12 @@ struct QueryState {
     [[nodiscard]] const Frame& frame() const { return mesh->state().plan.frame; }
     /// Costs and doors as they are now.
     void refresh_filter();
+    [[nodiscard]] bool is_open(const dtPoly& polygon) const { return navigation::is_open(polygon, shut); }
     [[nodiscard]] bool knows(NavigationPolygon polygon) const;
+    /// A search, as `NavigationQuery::begin_search` and what follows it.
+    [[nodiscard]] bool begin(const NavigationPoint& from, const NavigationPoint& to);
+    bool advance(std::size_t rounds);
+    [[nodiscard]] std::optional<NavigationPath> finish();
     [[nodiscard]] NavigationPoint point(dtPolyRef polygon, const float* place) const;
 };
 
@@ -47,8 +56,8 @@ struct QueryState {
 /// off. Nothing if they do not touch.
 [[nodiscard]] std::optional<Portal> portal_between(const dtNavMesh& detour, dtPolyRef from, dtPolyRef to);
 
-/// All polygons that can be got to from one, itself first; links among them.
-[[nodiscard]] std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from);
+/// All polygons that can be got to from one, itself first; links among them. `shut`: flags over which no way leads.
+[[nodiscard]] std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from, std::uint16_t shut);
 
 /// The path along these polygons, pulled tight.
 [[nodiscard]] NavigationPath path_along(const QueryState& state, std::span<const dtPolyRef> polygons,

@@ -15,7 +15,7 @@ struct RandomWalk {
     WalkReport report;
 };
 
-/// Their ends are `2 * count` random places from `seed` on. None for a mesh without ground.
+/// Their ends are `2 * count` random places from `seed` on. Doors count as open. None for a mesh without ground.
 [[nodiscard]] std::vector<RandomWalk> random_walks(const World& world, const CharacterSettings& settings,
                                                    const NavigationMesh& mesh, const WalkOptions& options, int threads,
                                                    std::size_t count, std::uint64_t seed,

@@ -60,7 +60,7 @@ dtPolyRef beyond(const QueryState& state, const dtMeshTile& tile, const dtPoly& 
         const dtMeshTile* next_tile = nullptr;
         const dtPoly* next = nullptr;
         if (dtStatusFailed(detour.getTileAndPolyByRef(link.ref, &next_tile, &next)) ||
-            next->getType() != DT_POLYTYPE_GROUND || !is_open(*next))
+            next->getType() != DT_POLYTYPE_GROUND || !state.is_open(*next))
             continue;
         // On a tile's border only a part of a side leads to each neighbour, in 255ths of it.
         const bool whole = link.side == 0xff || (link.bmin == 0 && link.bmax == 255);

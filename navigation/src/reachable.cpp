@@ -5,7 +5,7 @@
 
 namespace surefoot::navigation {
 
-std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from) {
+std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from, std::uint16_t shut) {
     std::vector<dtPolyRef> found{from};
     std::unordered_set<dtPolyRef> known{from};
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -17,7 +17,7 @@ std::vector<dtPolyRef> reachable(const dtNavMesh& detour, dtPolyRef from) {
             const dtMeshTile* next_tile = nullptr;
             const dtPoly* next_polygon = nullptr;
             if (next == 0 || dtStatusFailed(detour.getTileAndPolyByRef(next, &next_tile, &next_polygon))) continue;
-            if (!is_open(*next_polygon) || !known.insert(next).second) continue;
+            if (!is_open(*next_polygon, shut) || !known.insert(next).second) continue;
             found.push_back(next);
         }
     }

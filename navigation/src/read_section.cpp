@@ -144,9 +144,12 @@ Expected<void> SectionReader::read_links() {
                             .to = vector_of(record.to),
                             .takeoff = vector_of(record.takeoff),
                             .kind = static_cast<NavigationLinkKind>(record.kind),
+                            .speed = record.speed,
+                            .air_jumps = record.air_jumps,
                             .seconds = record.seconds,
                             .tick = record.tick,
-                            .inputs = std::vector<NavigationInput>(record.inputs)};
+                            .inputs = std::vector<NavigationInput>(record.inputs),
+                            .end = vector_of(record.end)};
         if (record.inputs != 0)
             std::memcpy(link.inputs.data(), bytes_.data() + input, record.inputs * sizeof(NavigationInput));
         input += record.inputs * sizeof(NavigationInput);
@@ -208,12 +211,13 @@ bool is_sound(const NavigationLink& link) {
                std::abs(v.z) <= largest_coordinate;
     };
     constexpr double longest = 3600;  // [s] whoever needs an hour for a link is stuck
-    if (!is_place(link.from) || !is_place(link.to) || !is_place(link.takeoff) || !(link.tick > 0 && link.tick <= 1) ||
+    if (!is_place(link.from) || !is_place(link.to) || !is_place(link.takeoff) || !is_place(link.end) ||
+        !(link.speed > 0 && link.speed <= largest_coordinate) || !(link.tick > 0 && link.tick <= 1) ||
         !(link.seconds >= 0 && link.seconds <= longest))
         return false;
     double seconds = 0;
     for (const NavigationInput& input : link.inputs) {
-        if (!is_place(input.wish) || input.jump > 1) return false;
+        if (!is_place(input.wish) || input.jump > 1 || input.crouch > 1) return false;
         seconds += input.ticks * link.tick;
     }
     return seconds <= longest;

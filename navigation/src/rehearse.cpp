@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "agreement.hpp"
 #include "mesh_state.hpp"
 #include "random_walks.hpp"
 
@@ -87,12 +88,7 @@ void rehearse(NavigationMesh& mesh, const World& world, const CharacterSettings&
         agreement.failed_links += failures.links.size();
         if (!(taken > 0) && failures.links.empty()) return;
         drop_links(mesh, failures.links);
-        NavigationAgreement again = keep_reached(mesh, flood, start);
-        agreement.kept = again.kept;
-        agreement.unreached += again.unreached;
-        agreement.no_return += again.no_return;
-        agreement.flood_covered = again.flood_covered;
-        agreement.missing = std::move(again.missing);
+        navigation::keep_joined(mesh, flood, start, agreement);
     }
 }
 

@@ -33,6 +33,7 @@ std::optional<Error> replace_tiles(MeshState& state, std::vector<TileMesh> tiles
                 state.detour->setPolyFlags(state.detour->getPolyRefBase(tile) | tile->offMeshCons[c].poly, 0);
         }
     }
+    ++state.changes;
     for (TileMesh& tile : tiles) {
         if (auto put = put_tile(state, tile, Connect::nothing); !put) return put.error();
         if (!state.tile_meshes.empty()) state.tile_meshes[state.tile_index(tile.x, tile.z)] = std::move(tile);

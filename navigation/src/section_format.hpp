@@ -11,7 +11,7 @@ namespace surefoot::navigation {
 
 inline constexpr std::string_view section_owner = "surefoot";
 inline constexpr std::string_view section_name = "navigation";
-inline constexpr std::uint32_t section_version = 1;
+inline constexpr std::uint32_t section_version = 2;
 inline constexpr std::array<char, 8> section_magic{'S', 'F', 'T', 'N', 'A', 'V', '\r', '\n'};
 inline constexpr std::uint64_t tile_alignment = 64;  // [bytes]
 
@@ -57,10 +57,14 @@ struct SectionLink {
     double from[3] = {};
     double to[3] = {};
     double takeoff[3] = {};
+    double end[3] = {};
+    double speed = 0;
     double seconds = 0;
     double tick = 0;
     std::uint32_t kind = 0;
+    std::uint32_t air_jumps = 0;
     std::uint32_t inputs = 0;  ///< how many of them, behind those of the links before
+    std::uint32_t reserved = 0;
 };
 
 struct SectionTile {
@@ -72,7 +76,7 @@ struct SectionTile {
 
 static_assert(std::is_trivially_copyable_v<SectionHeader> && sizeof(SectionHeader) == 232);
 static_assert(std::is_trivially_copyable_v<SectionArea> && sizeof(SectionArea) == 16);
-static_assert(std::is_trivially_copyable_v<SectionLink> && sizeof(SectionLink) == 96);
+static_assert(std::is_trivially_copyable_v<SectionLink> && sizeof(SectionLink) == 136);
 static_assert(std::is_trivially_copyable_v<SectionTile> && sizeof(SectionTile) == 24);
 
 [[nodiscard]] constexpr std::uint64_t aligned(std::uint64_t offset, std::uint64_t to) {

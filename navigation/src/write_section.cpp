@@ -50,6 +50,9 @@ SectionLink record_of(const NavigationLink& link) {
     copy(record.from, link.from);
     copy(record.to, link.to);
     copy(record.takeoff, link.takeoff);
+    copy(record.end, link.end);
+    record.speed = link.speed;
+    record.air_jumps = link.air_jumps;
     record.seconds = link.seconds;
     record.tick = link.tick;
     record.kind = static_cast<std::uint32_t>(link.kind);

@@ -60,6 +60,7 @@ LinkArc arc_of(const World& world, const CharacterSettings& settings, const Navi
     for (const NavigationInput& told : link.inputs) {
         input.wish = told.wish;
         input.jump = told.jump != 0;
+        input.crouch = told.crouch != 0;
         for (std::uint32_t i = 0; i < told.ticks && arc.places.size() < most; ++i) {
             state = step(world, settings, input, link.tick, state).state;
             arc.places.push_back(state.position - feet);

@@ -40,6 +40,9 @@ struct NavigationArea {
     bool closed = false;  ///< no path goes over it: a door that is shut; `NavigationMesh::set_area` opens it
 };
 
+/// Instead of the number of an area: what is made of it is no ground. Feet could stand there and are not to: lava.
+inline constexpr std::uint32_t forbidden_area = 0xffffffff;
+
 /// A box in the world that says what the ground in it is.
 struct NavigationRegion {
     enum class Kind : std::uint8_t {
@@ -96,13 +99,14 @@ struct NavigationOptions {
     /// The height of a cell [m, > 0]; 0: half of `cell_size`. Steps are told from walls to this accuracy.
     double cell_height = 0;
 
-    /// The side of a tile, which is what is built anew when something in it changes [cells, 16 to 1024].
-    int tile_cells = 96;
+    /// The side of a tile, which is what is built anew when something in it changes [cells, 16 to 1024]. No link leads
+    /// farther than into the next tile. 0: 96, or more where the character jumps farther than such a tile is wide.
+    int tile_cells = 0;
 
     /// What the ground can be; empty: one area, of cost 1. At most 60.
     std::span<const NavigationArea> areas{};
 
-    /// By surface number, which area it is; a surface beyond the end is area 0.
+    /// By surface number, which area it is, or `forbidden_area`; a surface beyond the end is area 0.
     std::span<const std::uint32_t> surface_areas{};
 
     std::span<const NavigationRegion> regions{};

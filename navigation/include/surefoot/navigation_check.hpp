@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,7 @@ private:
 
 struct NavigationCheckOptions {
     NavigationOptions mesh{};
+    std::optional<dvec3> start{};  ///< where the feet begin [m]; else `best_start` chooses
     NavigationLinkOptions links{};
     NavigationFloodOptions flood{};
     WalkOptions walk{};
@@ -94,6 +96,9 @@ struct NavigationCheck {
 /// be got to; without any, a place of the largest piece of the mesh. None for a mesh without ground.
 [[nodiscard]] std::optional<dvec3> best_start(const NavigationMesh& mesh, std::span<const dvec3> places) noexcept;
 
+/// The ground under a place, or near it, to begin on. Fails with `invalid`, in words, where there is none.
+[[nodiscard]] Expected<dvec3> start_at(const NavigationMesh& mesh, const dvec3& place);
+
 /// Walks random ways and takes away what they fail at, until a round of them has no failure or there were twelve. Their
 /// ends have seeds of their own, whatever `options.seed` is. Links that failed are dropped. Of the ground, what the
 /// feet could not get on to is taken out, but no more than a hundredth: a mesh that is wrong by more does not fit the
@@ -109,7 +114,8 @@ NavigationAgreement prove_by_feet(NavigationMesh& mesh, const World& world, cons
                                   NavigationCheck* check = nullptr);
 
 /// The whole check. The mesh is built by `options.mesh`, the feet move by `settings`. Fails as `NavigationMesh::build`
-/// does, and with `invalid` for a level without ground.
+/// does, and with `invalid` for a level without ground, or without any at `options.start`. Areas that are shut count as
+/// open, in this and in its parts: doors stand open in `world`, or are not in it.
 [[nodiscard]] Expected<NavigationCheck> check_navigation(const World& world, const CharacterSettings& settings,
                                                          std::span<const dvec3> starts,
                                                          const NavigationCheckOptions& options = {});

@@ -27,12 +27,13 @@ struct NavigationDrive {
     bool careful = false;
 
     NavigationDriveStatus status = NavigationDriveStatus::approaching;
-    bool pressed = false;   ///< the jump of this link
-    bool airborne = false;  ///< has left the ground since it is under way
-    bool landed = false;    ///< and came to stand again
-    double seconds = 0;     ///< since `status` last changed [s]
-    double grounded = 0;    ///< since it landed [s]
-    double stalled = 0;     ///< since it last moved by itself [s]
+    bool pressed = false;         ///< the jump of this link
+    std::uint32_t air_jumps = 0;  ///< that were pressed since
+    bool airborne = false;        ///< has left the ground since it is under way
+    bool landed = false;          ///< and came to stand again
+    double seconds = 0;           ///< since `status` last changed [s]
+    double grounded = 0;          ///< since it landed [s]
+    double stalled = 0;           ///< since it last moved by itself [s]
 };
 
 static_assert(std::is_trivially_copyable_v<NavigationDrive>);

@@ -21,8 +21,12 @@ struct NavigationFloodOptions {
     double speed = 5;                    ///< of a move from cell to cell [m/s, > 0]
     double longest_fall = 1;             ///< a character that is in the air for longer is lost [s, >= 0]
     std::size_t most_cells = 4'000'000;  ///< the flood ends there [> 0]
-    int threads = 2;                     ///< the result is the same [1 to 64]
-    NavigationProgress progress{};       ///< told of cells: those done, and those known so far
+    /// Those of the mesh: feet turn back where the ground is forbidden.
+    std::span<const NavigationRegion> regions{};
+    std::span<const std::uint32_t> surface_areas{};
+
+    int threads = 2;                ///< the result is the same [1 to 64]
+    NavigationProgress progress{};  ///< told of cells: those done, and those known so far
 };
 
 /// A cell in which a character can stand.
@@ -69,7 +73,7 @@ struct NavigationAgreement {
 };
 
 /// Takes out all polygons where feet did not get, and all from which the mesh knows no way to the first seed or that it
-/// cannot get to from there.
+/// cannot get to from there. Areas that are shut count as open.
 NavigationAgreement keep_reached(NavigationMesh& mesh, const NavigationFlood& flood, const dvec3& seed);
 
 }  // namespace v0

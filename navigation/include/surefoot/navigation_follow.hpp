@@ -132,6 +132,11 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> failed_links() const noexcept { return failed_; }
 
 private:
+    /// After the mesh has changed; false if it gave up over that.
+    [[nodiscard]] bool refresh(const NavigationQuery& query);
+    [[nodiscard]] std::optional<NavigationPoint> near_goal(const NavigationQuery& query, const dvec3& goal) const;
+    [[nodiscard]] CharacterInput find_back(const NavigationQuery& query, const CharacterState& state, const dvec3& feet,
+                                           double dt);
     [[nodiscard]] bool locate(const NavigationQuery& query, const CharacterState& state, const dvec3& feet);
     [[nodiscard]] bool plan(const NavigationQuery& query);
     [[nodiscard]] std::optional<NavigationPoint> step_aside(const NavigationQuery& query) const;
@@ -163,13 +168,14 @@ private:
     NavigationLine line_;
     dvec3 aim_{0, 0, 0};
     double along_ = 0;
-    double begin_ = 0;         ///< of the part of the line that it is on: where the last link ended [m]
-    double best_along_ = 0;    ///< the farthest along the line since there was a plan [m]
-    double least_left_ = 0;    ///< the shortest way left since attempts were counted [m]
-    double without_ = 0;       ///< time without progress [s]
-    double lost_ = 0;          ///< time on ground that is no ground of the mesh [s]
-    double since_check_ = 0;   ///< time since the path was looked over for doors [s]
-    std::uint32_t tried_ = 0;  ///< plans without progress between them
+    double begin_ = 0;                ///< of the part of the line that it is on: where the last link ended [m]
+    double best_along_ = 0;           ///< the farthest along the line since there was a plan [m]
+    double least_left_ = 0;           ///< the shortest way left since attempts were counted [m]
+    double without_ = 0;              ///< time without progress [s]
+    double lost_ = 0;                 ///< time on ground that is no ground of the mesh [s]
+    double since_check_ = 0;          ///< time since the path was looked over for doors [s]
+    std::uint64_t link_changes_ = 0;  ///< of the mesh, as it last saw it
+    std::uint32_t tried_ = 0;         ///< plans without progress between them
     std::size_t plans_ = 0;
     std::size_t links_ = 0;
     NavigationLink link_;  ///< that is gone over; without its inputs

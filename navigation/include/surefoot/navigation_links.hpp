@@ -46,6 +46,7 @@ struct NavigationLinkOptions {
 
     /// Those of the mesh: feet do not touch the ground where it is forbidden.
     std::span<const NavigationRegion> regions{};
+    std::span<const std::uint32_t> surface_areas{};
 
     /// How many threads may work [1 to 64]. The result is the same.
     int threads = 2;
@@ -61,13 +62,15 @@ struct NavigationLinkReport {
     std::size_t tried[4] = {};  ///< were simulated
     std::size_t done[4] = {};   ///< the character got over, with all margins
     std::size_t kept[4] = {};   ///< after thinning out
+    std::size_t too_long = 0;   ///< were not simulated: they end beyond the next tile, where no link leads
     std::uint64_t ticks = 0;    ///< that were simulated on the way
     double seconds = 0;
 };
 
 /// Looks for links along all borders of the mesh. The world and the settings must be those of the mesh. Put them in
-/// with `NavigationMesh::set_links`. The mesh may have links; a way over them counts as walking. The same arguments
-/// give the same links, to the last bit. None for settings or options out of range.
+/// with `NavigationMesh::set_links`. Areas that are shut count as open: a door is where somebody may go, and its body
+/// is not in the world, or stands open there. The mesh may have links; a way over them counts as walking. The same
+/// arguments give the same links, to the last bit. None for settings or options out of range.
 [[nodiscard]] std::vector<NavigationLink> find_links(const World& world, const CharacterSettings& settings,
                                                      const NavigationMesh& mesh,
                                                      const NavigationLinkOptions& options = {},

@@ -97,14 +97,16 @@ public:
     /// The areas of `NavigationOptions`, or the one that is there without any.
     [[nodiscard]] std::span<const NavigationArea> areas() const noexcept;
 
-    /// From now on: opens and shuts a door, or makes ground dearer. Requires: an area that is there and a cost from 1
-    /// to 1e6; asserts otherwise, and with asserts off changes nothing and says false.
+    /// From now on: opens and shuts a door, or makes ground dearer; links cost what area 0 does. Requires: an area that
+    /// is there and a cost from 1 to 1e6; asserts otherwise, and with asserts off changes nothing and says false.
     bool set_area(std::uint32_t area, bool closed, double cost = 1) noexcept;
 
     [[nodiscard]] std::span<const NavigationLink> links() const noexcept;
 
-    /// Replaces all links. Those that begin or end too far from the mesh are left out; how many is returned. Fails with
-    /// `limit` when a tile has more than references can name, and with `invalid` for a mesh that was opened: build it.
+    /// Replaces all links. Those that begin or end too far from the mesh are left out, and those that end farther away
+    /// than in the next tile, which Detour cannot join; how many is returned. Their names and those of the polygons in
+    /// their tiles are new. A link is open as long as the areas at both its ends are. Fails with `limit` when a tile
+    /// has more than references can name, and with `invalid` for a mesh that was opened: build it.
     [[nodiscard]] Expected<std::size_t> set_links(std::span<const NavigationLink> links);
 
     /// No path goes over these polygons any more, or does again. Names that are dead do nothing.

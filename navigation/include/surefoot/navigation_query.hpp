@@ -67,21 +67,34 @@ struct NavigationRay {
     bool hit = false;
 };
 
+/// What shut areas are to a query.
+enum class NavigationDoors : std::uint8_t {
+    as_they_are,  ///< no ground, as long as they are shut
+    open,         ///< ground: would there be a way if somebody opened every door?
+};
+
 /// Asks a mesh, with memory of its own: make one for each thread. Non-owning: the mesh must outlive it and may not
 /// change while it is asked; between questions it may.
 class NavigationQuery {
 public:
     /// `most_nodes`: how many polygons a search may look at [16 to 65535]; beyond it, paths are partial.
-    explicit NavigationQuery(const NavigationMesh& mesh, std::size_t most_nodes = 16384);
+    explicit NavigationQuery(const NavigationMesh& mesh, std::size_t most_nodes = 16384,
+                             NavigationDoors doors = NavigationDoors::as_they_are);
     NavigationQuery(NavigationQuery&& other) noexcept;
     NavigationQuery& operator=(NavigationQuery&& other) noexcept;
     ~NavigationQuery();
 
-    /// The ground under a place, or the nearest above it, within these distances [m, >= 0].
+    /// The ground under a place, or the nearest above it, within these distances [m, >= 0]. Ground that is shut or was
+    /// taken out is none, to this as to `nearest`: no path begins there. Whoever stands on it is led off by `way_back`.
     [[nodiscard]] std::optional<NavigationPoint> under(const dvec3& place, double below, double above) const;
 
     /// The nearest point of the mesh that is at most `aside` away to each side and `vertical` up and down.
     [[nodiscard]] std::optional<NavigationPoint> nearest(const dvec3& place, double aside, double vertical) const;
+
+    /// For feet on ground that is shut or was taken out: places to walk over, along such ground, the shortest way back
+    /// to ground that is open; the last one lies on that. One place for feet that are on open ground. Empty where there
+    /// is no ground under the feet, or none that leads back.
+    [[nodiscard]] std::vector<dvec3> way_back(const dvec3& place) const;
 
     /// The shortest way by area costs: A* over polygons, then the simple stupid funnel. None if a point is not on the
     /// mesh. It goes over none of `without`: polygons, or links as they stand in `NavigationPath::polygons`.
