@@ -12,10 +12,31 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 1;     // of what is kept, and of what it is made with
-constexpr std::uint32_t deadly_area = 1;       // ground that nobody walks on
+constexpr std::uint64_t atlas_version = 2;     // of what is kept, and of what it is made with
 constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
 constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]
+
+// A mesh that can be kept: now and then Recast makes a polygon that is not convex, and reading refuses the whole mesh.
+// Other cells give other polygons.
+Expected<NavigationMesh> build_mesh(const World& ground, const CharacterSettings& settings,
+                                    const std::vector<NavigationArea>& areas,
+                                    const std::vector<std::uint32_t>& surface_areas,
+                                    const std::vector<NavigationRegion>& regions, int threads) {
+    const double usual = navigation_agent(settings).radius / 4;
+    auto mesh = NavigationMesh::build(
+        ground, settings,
+        {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
+    for (const double share : {0.95, 1.07, 0.9, 1.13}) {
+        if (!mesh || NavigationMesh::read(mesh->to_bytes())) break;
+        mesh = NavigationMesh::build(ground, settings,
+                                     {.cell_size = usual * share,
+                                      .areas = areas,
+                                      .surface_areas = surface_areas,
+                                      .regions = regions,
+                                      .threads = threads});
+    }
+    return mesh;
+}
 
 }  // namespace
 
@@ -33,7 +54,7 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     if (const auto added = ground_.add(level_->ground); !added) return tl::unexpected(added.error());
 
-    std::vector<NavigationArea> areas{{.name = "ground"}, {.name = "deadly", .closed = true}};
+    std::vector<NavigationArea> areas{{.name = "ground"}};
     std::vector<NavigationRegion> regions = navigation_regions(level_->markers);
     for (std::size_t i = 0; i < level_->bodies.size() && areas.size() < most_doors; ++i) {
         const game::BodyPlan& body = level_->bodies[i];
@@ -48,7 +69,7 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         areas.push_back({.name = body.name, .closed = true});
     }
     std::vector<std::uint32_t> surface_areas;
-    for (const game::Material& material : level_->materials) surface_areas.push_back(material.deadly ? deadly_area : 0);
+    for (const game::Material& material : level_->materials) surface_areas.push_back(material.deadly ? forbidden_area : 0);
 
     const std::uint64_t key = hash_bytes(std::as_bytes(std::span(&level_->hash, 1)), atlas_version);
     const std::string path = options.use_cache && level_->hash != 0 ? cache_path(key) : std::string{};
@@ -61,13 +82,18 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         }
     }
     if (!from_cache_) {
-        auto mesh = NavigationMesh::build(
-            ground_, settings_,
-            {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = options.threads});
+        auto mesh = build_mesh(ground_, settings_, areas, surface_areas, regions, options.threads);
         if (!mesh) return tl::unexpected(mesh.error());
         const auto links =
             find_links(ground_, settings_, *mesh,
-                       {.run_speed = game::run_speed, .threads = options.threads, .progress = options.progress});
+                       {.run_speed = game::run_speed,
+                        .spacing = 2.5,
+                        .shortcut = 1e6,  // what is joined on foot needs no link: a bot does not mind the way round
+                        .margins = {.begin = 0},
+                        .regions = regions,
+                        .surface_areas = surface_areas,
+                        .threads = options.threads,
+                        .progress = options.progress});
         if (const auto set = mesh->set_links(links); !set) return tl::unexpected(set.error());
         bytes_ = mesh->to_bytes();
         if (!path.empty()) {
