@@ -1,6 +1,8 @@
 #include "playtest/atlas.hpp"
 
+#include <array>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -8,11 +10,14 @@
 #include <surefoot/navigation_links.hpp>
 
 #include "game/hero.hpp"
+#include "playtest/passages.hpp"
+#include "playtest/rehearsal.hpp"
 
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 2;     // of what is kept, and of what it is made with
+constexpr std::uint64_t atlas_version = 3;     // of what is kept, and of what it is made with
+constexpr Section leaps_section{.owner = "playtest", .name = "leaps"};
 constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
 constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]
 
@@ -77,15 +82,23 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         const auto kept = Mesh::read(path, Check::everything);
         const auto section = kept ? kept->section("surefoot", navigation_section({}).name) : std::nullopt;
         if (section && section->made_from == key && NavigationMesh::read(section->bytes)) {
-            bytes_.assign(section->bytes.begin(), section->bytes.end());
-            from_cache_ = true;
+            const auto leaps = kept->section(leaps_section.owner, leaps_section.name);
+            if (leaps && leaps->made_from == key && leaps->bytes.size() % sizeof(Leap) == 0) {
+                bytes_.assign(section->bytes.begin(), section->bytes.end());
+                leaps_.resize(leaps->bytes.size() / sizeof(Leap));
+                if (!leaps_.empty()) std::memcpy(leaps_.data(), leaps->bytes.data(), leaps->bytes.size());
+                from_cache_ = true;
+            }
         }
     }
     if (!from_cache_) {
         auto mesh = build_mesh(ground_, settings_, areas, surface_areas, regions, options.threads);
         if (!mesh) return tl::unexpected(mesh.error());
+        // One jump each: where it takes two, leaps do. Proving both as links would take minutes.
+        CharacterSettings one_jump = settings_;
+        one_jump.air_jumps = 0;
         const auto links =
-            find_links(ground_, settings_, *mesh,
+            find_links(ground_, one_jump, *mesh,
                        {.run_speed = game::run_speed,
                         .spacing = 2.5,
                         .shortcut = 1e6,  // what is joined on foot needs no link: a bot does not mind the way round
@@ -96,15 +109,32 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
                         .progress = options.progress});
         if (const auto set = mesh->set_links(links); !set) return tl::unexpected(set.error());
         bytes_ = mesh->to_bytes();
+        if (auto found = find_leaps(); !found) return found;
         if (!path.empty()) {
             std::error_code error;
             std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
             // A cache that cannot be written costs time the next time, and nothing else.
-            const Section section = navigation_section(bytes_, key);
-            (void)level_->ground.write(path, std::span(&section, 1));
+            Section leaps = leaps_section;
+            leaps.made_from = key;
+            leaps.bytes = std::as_bytes(std::span(leaps_));
+            const std::array sections{navigation_section(bytes_, key), leaps};
+            (void)level_->ground.write(path, sections);
         }
     }
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {};
+}
+
+// Over the still ground alone: nothing that moves lends a hand, and nothing is in the way.
+Expected<void> Atlas::find_leaps() {
+    auto still = std::make_shared<game::Level>(*level_);
+    still->bodies.clear();
+    still->enemies.clear();
+    auto foresight = Foresight::make(std::move(still));
+    if (!foresight) return tl::unexpected(foresight.error());
+    auto passages = Passages::make(*this);
+    if (!passages) return tl::unexpected(passages.error());
+    leaps_ = passages->find_leaps(**foresight);
     return {};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <surefoot/navigation_mesh.hpp>
@@ -11,6 +12,12 @@
 #include "game/level.hpp"
 
 namespace surefoot::playtest {
+
+/// From one place to another by two jumps.
+struct Leap {
+    dvec3 from{0, 0, 0};
+    dvec3 to{0, 0, 0};
+};
 
 struct AtlasOptions {
     bool use_cache = true;
@@ -35,17 +42,21 @@ public:
     /// The area of the ground that a door bars, by the number of its body; 0 for what is no door.
     [[nodiscard]] std::uint32_t door_area(std::size_t body) const { return door_areas_[body]; }
 
+    [[nodiscard]] std::span<const Leap> leaps() const { return leaps_; }
+
     [[nodiscard]] bool came_from_cache() const { return from_cache_; }
     [[nodiscard]] double seconds() const { return seconds_; }  ///< that making it took
 
 private:
     explicit Atlas(std::shared_ptr<const game::Level> level);
     [[nodiscard]] Expected<void> build(const AtlasOptions& options);
+    [[nodiscard]] Expected<void> find_leaps();
 
     std::shared_ptr<const game::Level> level_;
     World ground_;
     CharacterSettings settings_;
     std::vector<std::byte> bytes_;
+    std::vector<Leap> leaps_;
     std::vector<std::uint32_t> door_areas_;
     bool from_cache_ = false;
     double seconds_ = 0;

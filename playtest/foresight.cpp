@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <surefoot/navigation_links.hpp>
+
 #include "game/minds.hpp"
 #include "game/route.hpp"
 
@@ -56,6 +58,11 @@ void Foresight::look(const game::Game& game) {
         }
     }
     hero_ = game.hero();
+}
+
+void Foresight::put(const dvec3& feet) {
+    hero_ = {};
+    hero_.body = stand_at(world_, settings_, feet);
 }
 
 dvec3 Foresight::feet() const {

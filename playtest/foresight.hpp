@@ -21,6 +21,9 @@ public:
     /// As it is now.
     void look(const game::Game& game);
 
+    /// A hero who has come to stand here; the bodies are where they are.
+    void put(const dvec3& feet);
+
     /// One tick on. False if the hero was harmed in it, crushed, or fell out of the level.
     [[nodiscard]] bool tick(const game::HeroInput& input);
 
@@ -37,6 +40,7 @@ public:
 
     /// The number in the world of one of `Level::bodies`, and back; `bodies` of them for what is none.
     [[nodiscard]] static std::uint32_t number_of(std::size_t body) { return std::uint32_t(body) + 1; }
+    [[nodiscard]] std::size_t body_count() const { return bodies_.size(); }
     [[nodiscard]] std::size_t body_of(std::uint32_t number) const {
         return number >= 1 && number <= bodies_.size() ? number - 1 : bodies_.size();
     }

@@ -13,6 +13,7 @@
 #include "playtest/hop.hpp"
 #include "playtest/manoeuvre.hpp"
 #include "playtest/passages.hpp"
+#include "playtest/rehearsal.hpp"
 
 namespace surefoot::playtest {
 
@@ -59,9 +60,8 @@ private:
     void fail(const game::Game& game);
     void try_to_hop(const game::Game& game);
     void avoid_what_comes(const game::Game& game, std::uint32_t body);
-    [[nodiscard]] bool rehearse(const game::Game& game, const HopStyle& style, const Stand& to);
-    [[nodiscard]] HopAim aim_at(const Stand& to, const dvec3& feet) const;
-    [[nodiscard]] bool stands_on(const game::Hero& hero, const dvec3& feet, const Stand& to) const;
+    [[nodiscard]] bool goes_well(const game::Game& game, const HopStyle& style, const Stand& to);
+    [[nodiscard]] HopAim aim_of(const Stand& to, const dvec3& feet) const;
 
     std::shared_ptr<const Atlas> atlas_;
     NavigatorOptions options_;

@@ -149,63 +149,21 @@ Intent Navigator::wait(const game::Game& game) {
     return phase_ == Phase::waits ? intent : hop(game);
 }
 
-HopAim Navigator::aim_at(const Stand& to, const dvec3& feet) const {
-    if (to.body == on_ground) return {.place = to.place};
-    const auto spots = passages_.spots(to.body);
-    const Pose pose = foresight_->pose(to.body);
-    if (spots.empty()) return {.place = pose.position};
-    dvec3 middle{0, 0, 0};
-    for (const dvec3& spot : spots) middle += spot / double(spots.size());
-    middle = to_world(pose, middle);
-    dvec3 nearest = to_world(pose, spots.front());
-    for (const dvec3& spot : spots)
-        if (const dvec3 at = to_world(pose, spot); flat_length(at - feet) < flat_length(nearest - feet)) nearest = at;
-    const dvec3 in = flat(middle - nearest);
-    const double inset = flat_length(nearest - feet) < 0.4 ? 0 : std::min(0.6, length(in));
-    const dvec3 place = nearest + unit(in) * inset;
-    return {.place = place, .velocity = foresight_->velocity(to.body, place)};
+HopAim Navigator::aim_of(const Stand& to, const dvec3& feet) const {
+    return aim_at(*foresight_, to.body == on_ground ? std::span<const dvec3>{} : passages_.spots(to.body), to, feet);
 }
 
-bool Navigator::stands_on(const game::Hero& hero, const dvec3& feet, const Stand& to) const {
-    if (hero.body.footing != Footing::ground) return false;
-    const std::size_t body = foresight_->body_of(hero.body.ground_body);
-    if (to.body != on_ground) return body == to.body;
-    return body >= atlas_->level().bodies.size() && flat_length(feet - to.place) < 1.5 && std::abs(feet.y - to.place.y) < 1.2;
-}
-
-bool Navigator::rehearse(const game::Game& game, const HopStyle& style, const Stand& to) {
-    constexpr int steady = 8;  // ticks on its feet
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        foresight_->look(game);
-        Hop trial(style);
-        Hands hands(seed * 977);
-        int stood = 0;
-        int fell_short = 0;
-        const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
-        for (int i = 0; i < longest_hop && stood < steady; ++i) {
-            const Intent intent = trial.tick(foresight_->hero(), foresight_->feet(), game.settings(),
-                                             foresight_->world(), aim_at(to, foresight_->feet()));
-            if (!foresight_->tick(hands.act(intent))) return false;
-            const bool there = stands_on(foresight_->hero(), foresight_->feet(), to);
-            if (there && throws) return true;
-            // Whoever never left the ground it stood on has not got anywhere yet.
-            stood = there && (trial.is_under_way() || to.body != on_ground || i > 10) ? stood + 1 : 0;
-            const double low = std::min(to.body == on_ground ? to.place.y : aim_at(to, foresight_->feet()).place.y,
-                                        game.feet().y);
-            if (foresight_->feet().y < low - 3.5) return false;
-            const bool elsewhere = trial.is_under_way() && !there && foresight_->hero().body.footing == Footing::ground;
-            fell_short = elsewhere ? fell_short + 1 : 0;
-            if (fell_short > 25) return false;
-        }
-        if (stood < steady) return false;
-    }
-    return true;
+bool Navigator::goes_well(const game::Game& game, const HopStyle& style, const Stand& to) {
+    const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
+    return rehearse(
+        *foresight_, [&] { foresight_->look(game); }, game.settings(),
+        to.body == on_ground ? std::span<const dvec3>{} : passages_.spots(to.body), style, to, throws);
 }
 
 void Navigator::try_to_hop(const game::Game& game) {
     const Passage& passage = passages_.all()[plan_[step_]];
     foresight_->look(game);
-    const HopAim aim = aim_at(passage.to, game.feet());
+    const HopAim aim = aim_of(passage.to, game.feet());
     const double gap = std::max(0.0, flat_length(aim.place - game.feet()) - 0.9);
     const double rise = aim.place.y - game.feet().y;
     const bool dashes = passage.how == Passage::How::way;
@@ -216,26 +174,11 @@ void Navigator::try_to_hop(const game::Game& game) {
     if (!dashes && (!is_in_reach(std::max(0.0, gap - room), rise) ||
                     (!impatient && gap > passage.gap + room + 1.2) || (!impatient && std::abs(rise - passage.rise) > 1.6)))
         return;
-    std::vector<HopStyle> styles;
-    const auto add = [&](const HopStyle& style) { styles.push_back(style); };
-    if (dashes) {
-        for (const bool late : {true, false}) add({.air_jumps = 1, .late = late, .dashes = true});
-        add({.air_jumps = 0, .dashes = true});
-    }
-    if (rise < 0.35) add({.jumps = false});
-    if (rise < 1.4) add({});
-    for (const double takeoff : {1.0, 1.7, 2.4})
-        if (rise > 0.2) add({.takeoff = takeoff});
-    if (gap > 2 || rise > 1) {
-        add({.air_jumps = 1, .late = true});
-        add({.air_jumps = 1});
-        for (const double takeoff : {1.2, 2.0, 2.8})
-            if (rise > 0.2) add({.takeoff = takeoff, .air_jumps = 1});
-    }
+    const std::vector<HopStyle> styles = styles_for(gap, rise, dashes);
     const int count = int(styles.size());
     for (int i = 0; i < std::min(hops_kept, count); ++i) {
         const HopStyle& style = styles[std::size_t((style_turn_ + i) % count)];
-        if (!rehearse(game, style, passage.to)) continue;
+        if (!goes_well(game, style, passage.to)) continue;
         hop_ = Hop(style);
         hop_to_ = passage.to;
         phase_ = Phase::hops;
@@ -260,7 +203,7 @@ void Navigator::avoid_what_comes(const game::Game& game, std::uint32_t body) {
     if (!hit || dot(hit->normal, velocity) > -0.4 * length(velocity)) return;
     const Stand same{.body = body, .place = game.feet()};
     for (const HopStyle& style : {HopStyle{.takeoff = 1000}, HopStyle{.takeoff = 1000, .air_jumps = 1}}) {
-        if (!rehearse(game, style, same)) continue;
+        if (!goes_well(game, style, same)) continue;
         hop_ = Hop(style);
         hop_to_ = same;
         phase_ = Phase::hops;
@@ -274,7 +217,7 @@ void Navigator::avoid_what_comes(const game::Game& game, std::uint32_t body) {
 Intent Navigator::hop(const game::Game& game) {
     foresight_->look(game);
     const game::Hero& hero = game.hero();
-    const bool there = stands_on(hero, game.feet(), hop_to_);
+    const bool there = stands_on(*foresight_, hero, game.feet(), hop_to_);
     const bool throws = hop_to_.body != on_ground && atlas_->level().bodies[hop_to_.body].kind == game::BodyKind::bounce;
     const bool same = hop_to_.body != on_ground && step_ < plan_.size() && passages_.all()[plan_[step_]].from.body == hop_to_.body;
     stands_for_ = there && (!same || hop_.is_under_way()) ? stands_for_ + 1 : 0;
@@ -295,18 +238,18 @@ Intent Navigator::hop(const game::Game& game) {
         fail(game);
         return {};
     }
-    return hop_.tick(hero, game.feet(), game.settings(), game.world(), aim_at(hop_to_, game.feet()));
+    return hop_.tick(hero, game.feet(), game.settings(), game.world(), aim_of(hop_to_, game.feet()));
 }
 
 Intent Navigator::manoeuvre(const game::Game& game) {
     const Passage& passage = passages_.all()[plan_[step_]];
     const game::Hero& hero = game.hero();
-    if (stands_on(hero, game.feet(), passage.to) && hero.body.form == CharacterForm::standing) {
+    if (stands_on(*foresight_, hero, game.feet(), passage.to) && hero.body.form == CharacterForm::standing) {
         ++step_;
         next_step(game);
         return {};
     }
-    if (stands_on(hero, game.feet(), passage.to)) return {};  // stands up first
+    if (stands_on(*foresight_, hero, game.feet(), passage.to)) return {};  // stands up first
     if (manoeuvring_.seconds() > longest_manoeuvre) {
         fail(game);
         return {};

@@ -55,6 +55,7 @@ Expected<Passages> Passages::make(const Atlas& atlas) {
     made.find_rides();
     made.find_transfers();
     made.find_ways();
+    made.add_leaps();
     return made;
 }
 

@@ -11,20 +11,14 @@
 #include <surefoot/navigation_query.hpp>
 
 #include "playtest/atlas.hpp"
+#include "playtest/stand.hpp"
 
 namespace surefoot::playtest {
 
-inline constexpr std::uint32_t on_ground = ~std::uint32_t{0};
-
-/// Where somebody stands: on the still ground, or on one of the level's bodies.
-struct Stand {
-    std::uint32_t body = on_ground;
-    dvec3 place{0, 0, 0};        ///< of the feet; of no meaning on a body
-    std::uint32_t island = 0;    ///< of the mesh, on the ground
-};
+class Foresight;
 
 struct Passage {
-    enum class How : std::uint8_t { board, transfer, alight, fly, way } how = How::board;
+    enum class How : std::uint8_t { board, transfer, alight, fly, leap, way } how = How::board;
     Stand from;
     Stand to;
     game::Manoeuvre manoeuvre = game::Manoeuvre::ride;  ///< of a way
@@ -48,6 +42,9 @@ public:
     [[nodiscard]] const NavigationQuery& query() const { return *query_; }
 
     void open_door(std::uint32_t area);
+
+    /// From island to island by two jumps, where no link leads: each was rehearsed. For the atlas, which keeps them.
+    [[nodiscard]] std::vector<Leap> find_leaps(Foresight& foresight) const;
 
     /// A place as the graph knows it; nothing if there is no ground near.
     [[nodiscard]] std::optional<Stand> stand_at(const dvec3& feet, double aside = 1.2, double vertical = 1.5) const;
@@ -80,6 +77,7 @@ private:
     void find_rides_of(std::size_t body);
     void find_transfers();
     void find_ways();
+    void add_leaps();
     [[nodiscard]] std::vector<Border> beside_body(const std::vector<dvec3>& rims, const dvec3& middle) const;
     [[nodiscard]] bool is_walled(const dvec3& from, const dvec3& to) const;
     [[nodiscard]] std::uint32_t island_of(NavigationPolygon polygon) const;
