@@ -17,6 +17,7 @@ constexpr double fell_by = 2.5;               // below where it jumped off, a ju
 constexpr double wants_to_go = 2;             // m/s
 constexpr double gets_nowhere = 0.3;          // m
 constexpr int stuck_for = 120;                // ticks
+constexpr int stuck_in_one_direction = 300;   // ticks
 constexpr double escaped_by = 2;              // outside of the level's box [m]
 constexpr double looks_far = 25;              // m
 constexpr std::size_t most_captures = 20;     // of one run
@@ -138,14 +139,25 @@ void Observer::watch_jump(const game::Game& game) {
     }
 }
 
+// To press against a wall for two seconds is not to be stuck; to press in other directions, too, and to come back to
+// the same place from every jump is.
 void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game) {
-    const double wish = game::run_speed * std::sqrt(double(input.move_x) * double(input.move_x) + double(input.move_z) * double(input.move_z));
-    if (wishes_for_ == 0 || length(game.feet() - stuck_from_) >= gets_nowhere) {
+    const dvec3 wish = dvec3{double(input.move_x), 0, double(input.move_z)} * game::run_speed;
+    const bool in_air = game.hero().body.footing == Footing::air && !game.hero().in_water;
+    if (wishes_for_ == 0 || (!in_air && length(game.feet() - stuck_from_) >= gets_nowhere)) {
         stuck_from_ = game.feet();
+        stuck_wish_ = wish;
         wishes_for_ = 0;
+        turned_ = false;
     }
-    wishes_for_ = wish > wants_to_go && game.outcome() == game::Outcome::playing ? wishes_for_ + 1 : 0;
-    if (wishes_for_ < stuck_for) return;
+    if (length(wish) <= wants_to_go || game.outcome() != game::Outcome::playing) {
+        if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_) return;  // a pause for breath in a pit
+        wishes_for_ = 0;
+        return;
+    }
+    ++wishes_for_;
+    turned_ = turned_ || dot(unit(wish), unit(stuck_wish_)) < 0;
+    if (in_air || wishes_for_ < (turned_ ? stuck_for : stuck_in_one_direction)) return;
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;
