@@ -23,33 +23,24 @@ endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp")
 
-set(SUREFOOT_IMPORT_STATIC FALSE)
-if(TARGET surefoot_import)
-  set_target_properties(surefoot_import PROPERTIES INSTALL_RPATH "$ORIGIN")
-  install_component(import surefoot_import)
-  # A static library leaves it to whoever links it to link minizip too.
-  get_target_property(type surefoot_import TYPE)
-  if(type STREQUAL STATIC_LIBRARY)
-    set(SUREFOOT_IMPORT_STATIC TRUE)
-    install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindMinizip.cmake" DESTINATION ${package_dir})
+# install_wing(component NAME finder): a wing, if it is built. A static library leaves it to whoever links it to link too
+# what it stands on, which `finder` finds.
+macro(install_wing component name finder)
+  set(SUREFOOT_${name}_STATIC FALSE)
+  if(TARGET surefoot_${component})
+    set_target_properties(surefoot_${component} PROPERTIES INSTALL_RPATH "$ORIGIN")
+    install_component(${component} surefoot_${component})
+    get_target_property(type surefoot_${component} TYPE)
+    if(type STREQUAL STATIC_LIBRARY)
+      set(SUREFOOT_${name}_STATIC TRUE)
+      install(FILES "${PROJECT_SOURCE_DIR}/cmake/${finder}.cmake" DESTINATION ${package_dir})
+    endif()
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/${component}/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+      FILES_MATCHING PATTERN "*.hpp")
   endif()
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/import/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.hpp")
-endif()
-
-set(SUREFOOT_NAVIGATION_STATIC FALSE)
-if(TARGET surefoot_navigation)
-  set_target_properties(surefoot_navigation PROPERTIES INSTALL_RPATH "$ORIGIN")
-  install_component(navigation surefoot_navigation)
-  # A static library leaves it to whoever links it to link Recast and Detour too.
-  get_target_property(type surefoot_navigation TYPE)
-  if(type STREQUAL STATIC_LIBRARY)
-    set(SUREFOOT_NAVIGATION_STATIC TRUE)
-    install(FILES "${PROJECT_SOURCE_DIR}/cmake/FindRecast.cmake" DESTINATION ${package_dir})
-  endif()
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/navigation/include/surefoot" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.hpp")
-endif()
+endmacro()
+install_wing(import IMPORT FindMinizip)
+install_wing(navigation NAVIGATION FindRecast)
 if(TARGET surefoot_importer)
   install(TARGETS surefoot_importer RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/surefoot)
 endif()

@@ -24,7 +24,10 @@ endif()
 function(surefoot_target name)
   target_compile_features(${name} PUBLIC cxx_std_20)
   set_target_properties(${name} PROPERTIES
-    CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+    CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON
+    # Nothing asks for the macro that says "being exported", and without it a shared library is compiled by the very
+    # commands of the static one, so that ccache has done it already.
+    DEFINE_SYMBOL "")
   if(MSVC)
     target_compile_options(${name} PRIVATE /W4 /fp:precise)
   else()

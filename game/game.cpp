@@ -44,6 +44,8 @@ Expected<void> Game::build() {
                                         .clock = body.route.phase,
                                         .runs = !body.route.waits});
     }
+    has_harm_ = std::ranges::any_of(level_->materials, &Material::deadly) ||
+                std::ranges::any_of(level_->bodies, [](const BodyPlan& body) { return body.kind == BodyKind::hazard; });
     for (std::uint32_t plan = 0; plan < level_->pickups.size(); ++plan) (void)pickups_.insert(Pickup{plan});
     auto minds = EnemyMinds::make(*level_, world_);
     if (!minds) return tl::unexpected(minds.error());

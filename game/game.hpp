@@ -113,6 +113,7 @@ private:
     Slab<Enemy> enemies_;
     Slab<Bullet> bullets_;
     std::unique_ptr<EnemyMinds> minds_;
+    bool has_harm_ = false;  // anything deadly, or a hazard
     std::vector<std::uint32_t> taken_stars_;
     std::vector<std::string> keys_;
     std::vector<GameEvent> events_;

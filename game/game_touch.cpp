@@ -22,7 +22,7 @@ bool is_near(const dvec3& a, const dvec3& b, double aside, double height) {
 }  // namespace
 
 void Game::touch_harm() {
-    if (hero_.safe_for > 0 && level_->bodies.empty()) return;
+    if (!has_harm_) return;
     Volume around = hero_.body.form == CharacterForm::crouched ? *settings_.crouched : settings_.volume;
     dvec3& radii = std::get<Ellipsoid>(around.shape).radii;
     radii = radii + dvec3{harm_reach, harm_reach, harm_reach};

@@ -9,7 +9,7 @@ namespace {
 constexpr double slide_from = 4;     // crouching faster than this slides [m/s]
 constexpr double slide_until = 2;    // and slower than this it creeps [m/s]
 constexpr double creep = 0.4;        // share of the running speed, crouched
-constexpr double leap_height = 1.3;  // out of the water [m]
+constexpr double leap_height = 1.9;  // out of the water [m]
 constexpr double leap_time = 0.3;    // [s]
 
 double level_length(const dvec3& way) {
@@ -73,7 +73,8 @@ CharacterInput told(Hero& hero, const HeroInput& input, const HeroPlace& place, 
     if (level_length(wish) > 0.1) hero.facing = wish / level_length(wish);
 
     const bool jump = holds(input, Button::jump);
-    const bool jump_pressed = jump && hero.body.jump_held == 0;
+    const bool jump_pressed = jump && (hero.held & static_cast<std::uint8_t>(Button::jump)) == 0;
+    hero.held = input.buttons;
     told.jump = jump;
     told.crouch = holds(input, Button::crouch);
     told.dash = holds(input, Button::dash);
@@ -98,7 +99,9 @@ CharacterInput told(Hero& hero, const HeroInput& input, const HeroPlace& place, 
         told.jump = false;
         told.crouch = false;
     } else {
-        told.wish = wish * (run_speed * (crouched && on_ground ? creep : 1));
+        // Who slides keeps the way that it has.
+        const double share = hero.slides ? 0 : crouched && on_ground ? creep : 1;
+        told.wish = wish * (run_speed * share);
     }
     if (hero.bounce > 0) {
         told.impulse.y += hero.bounce - hero.body.velocity.y;

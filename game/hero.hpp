@@ -52,6 +52,7 @@ struct Hero {
     double leaps_for = 0;    ///< out of the water: it counts as in the air for so long [s]
     double stuck_for = 0;    ///< inside of something without a way out [s]
     dvec3 facing{0, 0, -1};  ///< level, unit: where it turns its face
+    std::uint8_t held = 0;   ///< the buttons of the last tick
     bool in_water = false;
     bool slides = false;  ///< crouched and fast
 };

@@ -114,6 +114,50 @@ TEST_F(CliNav, ground_that_is_damaged_is_an_error_that_names_the_cure) {
     EXPECT_EQ(run("nav path " + level + " --from 0,0,0 --to 3,0,4").code, 0);
 }
 
+TEST_F(CliNav, a_level_without_spawn_markers_is_begun_where_one_says) {
+    const Outcome begun = run("navcheck " + floor_ + " --cell 0.2 --walks 5 --start 8,0.5,0 --json");
+    ASSERT_EQ(begun.code, 0) << begun.err;
+    EXPECT_LT(nlohmann::json::parse(begun.out)["kept"], 120) << "of the floor what is behind the wall";
+    const std::string out = " -o " + path("begun.surefoot");
+    const auto built = nlohmann::json::parse(run("nav build " + floor_ + out + " --cell 0.2 --start 8,0,0 --json").out);
+    EXPECT_GT(built["unreached"], 200);
+    for (const std::string& command : {"navcheck " + floor_, "nav build " + floor_ + out}) {
+        const Outcome beside = run(command + " --cell 0.2 --start 80,0.5,0");
+        EXPECT_EQ(beside.code, 2);
+        EXPECT_TEXT(beside.err, "there is no ground to begin on at 80,0.5,0");
+        EXPECT_EQ(run(command + " --start 80,0").code, 2);
+    }
+}
+
+TEST_F(CliNav, surfaces_are_what_they_are_called) {
+    // Two floors, the one four metres above the other, and a ladder between them.
+    const auto storeys = [&](const std::string& ladder, const std::string& floor) {
+        return write(ladder + floor + ".obj",
+                     "v -6 0 -3\nv 0 0 -3\nv 0 0 3\nv -6 0 3\nv 0 4 -3\nv 6 4 -3\nv 6 4 3\nv 0 4 3\n"
+                     "v 0 0 -0.6\nv 0 0 0.6\nv 0 4 0.6\nv 0 4 -0.6\nusemtl stone\nf 1 4 3 2\n"
+                     "usemtl " +
+                         floor + "\nf 5 8 7 6\nusemtl " + ladder + "\nf 9 10 11 12\n");
+    };
+    const auto ladders = [&](const std::string& level, const std::string& options = "") {
+        const Outcome outcome = run("navcheck " + level + " --cell 0.2 --walks 5 --start -3,0,0 --json" + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+        return nlohmann::json::parse(outcome.out)["links"]["ladders"]["kept"].get<int>();
+    };
+    EXPECT_EQ(ladders(storeys("Iron_ladder.2", "wood")), 2);
+    EXPECT_EQ(ladders(storeys("Iron_ladder.2", "wood"), " --plain"), 0);
+    EXPECT_EQ(ladders(storeys("ladderless", "wood")), 0);
+    EXPECT_EQ(ladders(storeys("ladder", "lava")), 0) << "there is nowhere to climb to";
+    // A pool in a floor, with dry ground on three sides.
+    const std::string wet = write("wet.obj",
+                                  "v 0 0 0\nv 3 0 0\nv 6 0 0\nv 9 0 0\nv 0 0 6\nv 3 0 6\nv 6 0 6\nv 9 0 6\n"
+                                  "v 3 0 4\nv 6 0 4\nusemtl deep water\nf 2 9 10 3\n"
+                                  "usemtl stone\nf 1 5 6 2\nf 9 6 7 10\nf 3 7 8 4\n");
+    const std::string question = " --from 1,0,1 --to 8,0,1 --cell 0.2 --json";
+    const auto dry = nlohmann::json::parse(run("nav path " + wet + question).out);
+    const auto plain = nlohmann::json::parse(run("nav path " + wet + question + " --plain").out);
+    EXPECT_GT(dry["length"], plain["length"].get<double>() + 0.1) << "round the water";
+}
+
 TEST_F(CliNav, the_help_teaches) {
     for (const char* const command : {"nav build", "nav path"}) {
         const Outcome help = run(std::string(command) + " --help");

@@ -1,27 +1,11 @@
 // Every seed of fuzz/fuzz_step, and what fuzzing found once, is asked again by each build of the tests.
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <iterator>
-#include <vector>
+#include "fuzz_seeds.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
-namespace surefoot {
+namespace surefoot::tests {
 namespace {
 
-// A broken promise ends the program with its name.
 TEST(FuzzStep, every_seed_keeps_all_promises) {
-    int seeds = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(SUREFOOT_FUZZ_SEEDS)) {
-        SCOPED_TRACE(entry.path().filename().string());
-        std::ifstream file(entry.path(), std::ios::binary);
-        const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-        EXPECT_EQ(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), 0);
-        ++seeds;
-    }
-    EXPECT_GE(seeds, 8);
+    EXPECT_GE(ask_seeds(SUREFOOT_FUZZ_SEEDS), 8);
 }
 
 TEST(FuzzStep, no_bytes_at_all_are_a_step_too) {
@@ -30,4 +14,4 @@ TEST(FuzzStep, no_bytes_at_all_are_a_step_too) {
 }
 
 }  // namespace
-}  // namespace surefoot
+}  // namespace surefoot::tests

@@ -49,6 +49,23 @@ TEST(MovementLedge, WhoHangsGoesAlongTheEdgeToItsEndAndDropsWhenAskedTo) {
     EXPECT_NEAR(actor.state.position.y, 0.91, 0.01);
 }
 
+TEST(MovementLedge, AnEdgeIsLetGoWhenTheSettingsOrTheModeAllowNone) {
+    const World world = Scene().floor(-20, 20, -5, 5).block({2, 0, -5}, {9, 5, 5}).world();
+    for (const CharacterMode mode : {CharacterMode::walk, CharacterMode::swim, CharacterMode::fly}) {
+        Actor actor = climber();
+        actor.state.position = {1.4, 5.5, 0};
+        for (int i = 0; i < 120 && !actor.did(CharacterEvent::grabbed_ledge); ++i)
+            actor.tick(world, {.wish = {0.5, 0, 0}});
+        ASSERT_EQ(actor.state.footing, Footing::ledge);
+        if (mode == CharacterMode::walk) actor.settings.ledge_reach = 0;
+        EXPECT_TRUE(actor.tick(world, {.mode = mode}).has(CharacterEvent::dropped_ledge));
+        EXPECT_EQ(actor.state.hold, Hold::none);
+        EXPECT_EQ(actor.state.footing, Footing::air);
+        actor.run(world, 2);
+        EXPECT_TRUE(actor.on_ground()) << "it falls";
+    }
+}
+
 TEST(MovementLedge, AnEdgeWithoutRoomAboveItIsHeldAndNotClimbed) {
     const World world =
         Scene().floor(-20, 20, -5, 5).block({2, 0, -5}, {9, 5, 5}).block({2, 5.8, -5}, {9, 8, 5}).world();

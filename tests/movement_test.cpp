@@ -156,6 +156,52 @@ TEST(Movement, StandingOnAWalkableSlopeDoesNotCreep) {
     EXPECT_EQ(actor.state.position, before);
 }
 
+TEST(Movement, DroppedOnASlopeWhileWalkingUpItLandsAtTheTouch) {
+    for (const double degrees : {10.0, 30.0, 45.0}) {
+        const double steep = std::tan(degrees * 0.017453292519943295);
+        const World world = Scene().ramp(0, 40, degrees).world();
+        Actor actor;
+        actor.state.position = {4, 4 * steep + 2.5, 0};
+        // In the tick in which the slope is met it falls slower than it did, or not at all.
+        double fell = 0;
+        for (int i = 0; actor.state.velocity.y <= fell; ++i) {
+            ASSERT_LT(i, 60) << degrees;
+            fell = actor.state.velocity.y;
+            actor.tick(world, {.wish = {6, 0, 0}});
+        }
+        EXPECT_TRUE(actor.did(CharacterEvent::landed)) << degrees;
+        for (int i = 0; i < 60; ++i) {
+            ASSERT_TRUE(actor.on_ground()) << degrees << " after " << i;
+            actor.tick(world, {.wish = {6, 0, 0}});
+        }
+    }
+}
+
+TEST(Movement, AJumpUpASlopeLastsForAllOfItsRiseAndNoLonger) {
+    // From about 35 degrees on, who runs up the slope meets it while the jump still rises.
+    for (const double rate : {30.0, 60.0, 240.0}) {
+        for (const double degrees : {10.0, 30.0, 40.0, 48.0}) {
+            const World world = Scene().ramp(0, 60, degrees).world();
+            const CharacterInput run{.wish = {6, 0, 0}};
+            const CharacterInput jump{.wish = {6, 0, 0}, .jump = true};
+            Actor actor;
+            actor.dt = 1 / rate;
+            actor.state.position = {4, 4 * std::tan(degrees * 0.017453292519943295) + 1.5, 0};
+            actor.run(world, 1, run);
+            ASSERT_TRUE(actor.on_ground()) << degrees << " at " << rate;
+            const double rises = std::sqrt(2 * actor.settings.jump_height / actor.settings.gravity);
+            const double level = 2 * rises;  // from take-off to where it would land on level ground
+            double in_air = 0;
+            do {
+                actor.tick(world, jump);
+                in_air += actor.dt;
+            } while (!actor.on_ground() && in_air < 2 * level);
+            EXPECT_GE(in_air, rises - actor.dt) << degrees << " at " << rate;
+            EXPECT_LE(in_air, level + 2 * actor.dt) << degrees << " at " << rate;
+        }
+    }
+}
+
 TEST(Movement, StairsUpToTheStepHeightAreWalkedUpAtAnyFrameRate) {
     for (const double rate : {15.0, 30.0, 60.0, 144.0, 1000.0}) {
         for (const double rise : {0.1, 0.2, 0.3, 0.39, 0.45, 0.6}) {

@@ -7,6 +7,8 @@
 #include <surefoot/navigation_query.hpp>
 #include <surefoot/world.hpp>
 
+#include "navigation_wrong_link.hpp"
+
 namespace surefoot {
 namespace {
 
@@ -210,27 +212,14 @@ TEST(NavigationCheck, ARehearsalMendsSlipsAndNotAMeshForOtherFeet) {
     EXPECT_FALSE(check_wrong(bank(), 25, steeper, 25).passes());
 }
 
-/// Two floors with a chasm between them, joined by a bridge at the side; a wall stands before the chasm.
-Bricks chasm() {
-    Bricks bricks;
-    bricks.box({-8, -1, -8}, {-3, 0, 8});
-    bricks.box({3, -1, -8}, {8, 0, 8});
-    bricks.box({-3, -1, 6}, {3, 0, 8});
-    bricks.box({-3.2F, 0, -8}, {-3, 3, 5});
-    return bricks;
-}
-
-/// A way through the wall and over the chasm, as somebody claims.
-const NavigationLink through_the_wall{
-    .from = {-4, 0, 0}, .to = {4, 0, 0}, .takeoff = {-3.5, 0, 0}, .kind = NavigationLinkKind::step_up, .seconds = 1};
-
 // Broken variants: a failed link stays; a rehearsal is content after its first round; all links are dropped.
 TEST(NavigationCheck, ALinkThatFailsInARehearsalIsDropped) {
-    World world;
-    ASSERT_TRUE(world.add(chasm().mesh()).has_value());
+    tests::Scene scene = tests::chasm();
+    const World world = walled(scene).world();
     auto mesh = NavigationMesh::build(world, {});
     ASSERT_TRUE(mesh.has_value());
-    ASSERT_EQ(mesh->set_links(std::span(&through_the_wall, 1)).value_or(9), 0U);
+    const NavigationLink wrong = tests::through_the_wall();
+    ASSERT_EQ(mesh->set_links(std::span(&wrong, 1)).value_or(9), 0U);
     const NavigationFlood flood = flood_by_feet(world, {}, *mesh, std::span(&start, 1));
     NavigationAgreement agreement = keep_reached(*mesh, flood, start);
     const double kept = agreement.kept;
@@ -244,15 +233,16 @@ TEST(NavigationCheck, ALinkThatFailsInARehearsalIsDropped) {
 
 // Broken variant: tiles that are put in with other links hold ground that was taken out.
 TEST(NavigationCheck, WhatIsTakenOutStaysSoWhateverLinksCome) {
-    World world;
-    ASSERT_TRUE(world.add(chasm().mesh()).has_value());
+    tests::Scene scene = tests::chasm();
+    const World world = walled(scene).world();
     auto mesh = NavigationMesh::build(world, {});
     ASSERT_TRUE(mesh.has_value());
+    const NavigationLink wrong = tests::through_the_wall();
     const NavigationPolygon bridge =
         NavigationQuery(*mesh).nearest({0, 0, 7}, 1, 1).value_or(NavigationPoint{}).polygon;
     mesh->take_out(std::span(&bridge, 1));
     for (const std::size_t links : {1U, 0U}) {
-        ASSERT_EQ(mesh->set_links(std::span(&through_the_wall, links)).value_or(9), 0U);
+        ASSERT_EQ(mesh->set_links(std::span(&wrong, links)).value_or(9), 0U);
         EXPECT_FALSE(NavigationQuery(*mesh).nearest({0, 0, 7}, 0.1, 1).has_value());
     }
 }

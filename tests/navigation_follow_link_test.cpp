@@ -2,8 +2,8 @@
 #include <surefoot/navigation_follow.hpp>
 #include <surefoot/navigation_walk.hpp>
 
-#include "movement_scene.hpp"
 #include "navigation_things.hpp"
+#include "navigation_wrong_link.hpp"
 
 namespace surefoot::tests {
 namespace {
@@ -11,25 +11,14 @@ namespace {
 using Status = NavigationFollowStatus;
 using Reason = NavigationFollowReason;
 
-/// Two floors with a chasm of 6 m between them, joined by a bridge far to the side.
-Scene chasm() {
-    Scene scene;
-    return scene.block({-8, -9, -8}, {-3, 0, 8}).block({3, -9, -8}, {8, 0, 8}).block({-3, -9, 6}, {3, 0, 8});
-}
-
 // Broken variants: a follower gives up when a link has failed; it plans over the same link again.
 TEST(NavigationFollow, GoesAnotherWayWhenALinkFails) {
     Scene walls = chasm();
     const World before = walls.world();
     NavigationMesh mesh = built(before);
-    // A gap that nobody jumps; who said so was wrong. A low wall before it lets nobody fall.
-    const NavigationLink wrong{.from = {-4, 0, 0},
-                               .to = {4, 0, 0},
-                               .takeoff = {-3.5, 0, 0},
-                               .kind = NavigationLinkKind::step_up,
-                               .seconds = 1};
+    const NavigationLink wrong = through_the_wall();
     ASSERT_EQ(mesh.set_links(std::span(&wrong, 1)).value_or(9), 0U);
-    const World world = walls.block({-3.2, 0, -8}, {-3, 3, 5}).world();
+    const World world = walled(walls).world();
     const NavigationQuery query(mesh);
     Walker walker{.world = world, .query = query};
     EXPECT_EQ(walker.at({-6, 0, 0}).to({6, 0, 0}).run(), Status::arrived);
@@ -43,13 +32,9 @@ TEST(NavigationFollow, GivesUpAtALinkThatIsTheOnlyWay) {
     Scene scene;
     scene.block({-8, -9, -8}, {-3, 0, 8}).block({3, -9, -8}, {8, 0, 8});
     NavigationMesh mesh = built(scene.world());
-    const NavigationLink wrong{.from = {-4, 0, 0},
-                               .to = {4, 0, 0},
-                               .takeoff = {-3.5, 0, 0},
-                               .kind = NavigationLinkKind::step_up,
-                               .seconds = 1};
+    const NavigationLink wrong = through_the_wall();
     ASSERT_EQ(mesh.set_links(std::span(&wrong, 1)).value_or(9), 0U);
-    const World world = scene.block({-3.2, 0, -8}, {-3, 3, 8}).world();
+    const World world = walled(scene, 8).world();
     const NavigationQuery query(mesh);
     Walker walker{.world = world, .query = query};
     EXPECT_EQ(walker.at({-6, 0, 0}).to({6, 0, 0}).run(120), Status::gave_up);

@@ -19,6 +19,7 @@ namespace {
 struct BuildGiven {
     LevelOptions level;
     WalkerOptions walker;
+    StartOption start;
     std::string output;
     bool unproved = false;
     bool json = false;
@@ -89,8 +90,8 @@ ExitCode run_build(const BuildGiven& given) {
     const std::string output = given.output.empty() ? given.level.file : given.output;
     const Level level = load_level(given.level);
     NavigationAgreement agreement;
-    const NavigationMesh mesh =
-        build_ground(level, given.walker, given.unproved ? Proof::none : Proof::by_feet, &agreement);
+    const NavigationMesh mesh = build_ground(level, given.walker, given.unproved ? Proof::none : Proof::by_feet,
+                                             given.start.value(), &agreement);
     const std::vector<std::byte> bytes = mesh.to_bytes();
     // What is refused when it is opened is better not written.
     if (const auto sound = NavigationMesh::read(bytes, output); !sound)
@@ -186,6 +187,7 @@ void add_build(CLI::App& nav, Run& run) {
     const auto given = std::make_shared<BuildGiven>();
     given->level.add_to(*command);
     given->walker.add_to(*command);
+    given->start.add_to(*command);
     command
         ->add_option("-o,--output", given->output,
                      "The file to write: triangles, ground, and whatever else was there (default: a cooked LEVEL)")

@@ -19,6 +19,7 @@ namespace {
 struct CheckGiven {
     LevelOptions level;
     WalkerOptions walker;
+    StartOption start;
     std::size_t walks = 1000;
     std::uint64_t seed = 1;
     std::optional<std::size_t> rehearsals;
@@ -59,6 +60,9 @@ std::string check_text(const std::string& file, const NavigationCheck& check, co
                    grouped(check.links.kept[kind]), grouped(check.links_of_feet[kind]),
                    grouped(check.links_kept[kind])});
     out += links.text();
+    if (check.links.too_long > 0)
+        out += fmt::format("  {} ways were left aside: they end beyond the next tile, where no link leads\n",
+                           grouped(check.links.too_long));
     out += fmt::format(
         "  {}  the mesh knows {:.2f}% of the {:.1f} m2 that feet reach and come back from (at least {:.0f}%)\n",
         verdict(check.is_covered()), 100 * agreement.covered(), agreement.flood, 100 * check.least_covered);
@@ -130,15 +134,18 @@ std::vector<std::string> save_stuck(const World& world, const CharacterSettings&
 }
 
 ExitCode run_check(const CheckGiven& given) {
-    const CharacterSettings settings = given.walker.settings();
+    const std::optional<dvec3> start = given.start.value();
+    static_cast<void>(given.walker.settings());  // what is wrong with them is said before the level is read
     const Level level = load_level(given.level);
     World world;
     if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
     CheckBars bars;
     const auto show = [&](NavigationCheckPart part, std::size_t done, std::size_t all) { bars.show(part, done, all); };
     const Ground ground(level, given.walker);
+    const CharacterSettings& settings = ground.settings;
     NavigationCheckOptions options;
     options.mesh = ground.options;
+    options.start = start;
     options.walks = given.walks;
     options.seed = given.seed;
     options.threads = given.walker.threads.value_or(options.threads);
@@ -168,6 +175,7 @@ void add_navcheck(CLI::App& program, Run& run) {
     const auto given = std::make_shared<CheckGiven>();
     given->level.add_to(*command);
     given->walker.add_to(*command);
+    given->start.add_to(*command);
     command->add_option("--walks", given->walks, "How many random paths are walked (default: 1000)")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
         ->type_name("COUNT");
@@ -192,8 +200,10 @@ void add_navcheck(CLI::App& program, Run& run) {
         "  surefoot navcheck castle.glb --walks 5000 --save stuck\n"
         "  surefoot navcheck castle.glb --mesh-climb 0.8        has to fail where there are steps of that height\n"
         "\nBuilds the mesh, finds its links, walks a character into every corner that its feet reach from where the\n"
-        "level's markers of the kind `spawn` are (or from the largest piece of ground), takes out what they do not\n"
-        "reach, rehearses and drops what fails, and then walks other random paths. It passes if all arrive, if the "
+        "level's markers of the kind `spawn` are (or from the largest piece of ground, or --start), takes out what "
+        "they "
+        "do\nnot reach, rehearses and drops what fails, and then walks other random paths. It passes if all arrive, if "
+        "the "
         "mesh\n"
         "knows at least 98% of what the feet reach, and if no kind of link is lost. `surefoot replay STEM-1.json` "
         "says\n"

@@ -11,6 +11,7 @@
 #include "options.hpp"
 #include "parse.hpp"
 #include "progress.hpp"
+#include "surface_words.hpp"
 
 namespace surefoot::tools {
 
@@ -28,6 +29,7 @@ void WalkerOptions::add_to(CLI::App& command) {
     metres("--cell", cell, "The squares in which ground is sampled (default: a quarter of its radius)");
     command.add_option("--threads", threads, "How many threads build (default: 2); the mesh is the same")
         ->type_name("COUNT");
+    command.add_flag("--plain", plain, "All surfaces are firm ground, whatever they are called");
 }
 
 CharacterSettings WalkerOptions::settings() const {
@@ -49,7 +51,42 @@ CharacterSettings WalkerOptions::settings() const {
     return settings;
 }
 
-Ground::Ground(const Level& level, const WalkerOptions& walker) : regions(navigation_regions(level.markers)) {
+void StartOption::add_to(CLI::App& command) {
+    command
+        .add_option("--start", place,
+                    "Where the feet begin: over ground or near it [m] (default: the level's spawn markers, or the "
+                    "largest piece of ground)")
+        ->type_name("X,Y,Z");
+}
+
+std::optional<dvec3> StartOption::value() const {
+    if (place.empty()) return std::nullopt;
+    return position_of("--start", place);
+}
+
+namespace {
+
+/// Areas in the order of `SurfaceGround`, but for what is none.
+std::vector<NavigationArea> named_areas() {
+    return {{.name = "ground"}, {.name = "ice", .cost = 2}, {.name = "mud", .cost = 2}, {.name = "water", .cost = 3}};
+}
+
+}  // namespace
+
+Ground::Ground(const Level& level, const WalkerOptions& walker)
+    : regions(navigation_regions(level.markers)), settings(walker.settings()) {
+    if (!walker.plain) {
+        rules = surface_rules(level.surface_names);
+        for (const std::string& name : level.surface_names) {
+            const SurfaceGround ground = surface_meaning(name).ground;
+            surface_areas.push_back(ground == SurfaceGround::forbidden ? forbidden_area
+                                                                       : static_cast<std::uint32_t>(ground));
+        }
+        areas = named_areas();
+        settings.surfaces = SurfaceRules(rules);
+        options.areas = areas;
+        options.surface_areas = surface_areas;
+    }
     options.cell_size = walker.cell.value_or(0);
     options.threads = walker.threads.value_or(options.threads);
     options.regions = regions;
@@ -63,11 +100,11 @@ std::vector<dvec3> starts_of(const Level& level) {
 }
 
 NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Proof proof,
-                            NavigationAgreement* agreement) {
-    const CharacterSettings settings = walker.settings();
+                            const std::optional<dvec3>& given, NavigationAgreement* agreement) {
     World world;
     if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
     Ground ground(level, walker);
+    const CharacterSettings& settings = ground.settings;
     std::optional<ProgressBar> bar(std::in_place, "looking for ground");
     const auto show = [&](std::size_t done, std::size_t all) {
         bar->show(static_cast<double>(done) / static_cast<double>(all));
@@ -80,7 +117,14 @@ NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Pro
         throw Failure{memory ? ExitCode::file : ExitCode::usage, level.file + ": " + mesh.error().text};
     }
     if (proof == Proof::none) return *std::move(mesh);
-    const std::optional<dvec3> start = best_start(*mesh, starts_of(level));
+    std::optional<dvec3> start;
+    if (given) {
+        const auto found = start_at(*mesh, *given);
+        if (!found) throw Failure{ExitCode::usage, level.file + ": " + found.error().text};
+        start = *found;
+    } else {
+        start = best_start(*mesh, starts_of(level));
+    }
     if (!start) return *std::move(mesh);
     CheckBars bars;
     const auto show_part = [&](NavigationCheckPart part, std::size_t done, std::size_t all) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <surefoot/character_settings.hpp>
 #include <surefoot/navigation_flood.hpp>
 #include <surefoot/navigation_mesh.hpp>
 
@@ -22,23 +23,39 @@ struct WalkerOptions {
     std::optional<double> slope;
     std::optional<double> cell;
     std::optional<int> threads;
+    bool plain = false;
 
     void add_to(CLI::App& command);
 
     /// Is anything said about the walker or the cells?
-    [[nodiscard]] bool any() const { return !shape.empty() || radius || height || climb || slope || cell; }
+    [[nodiscard]] bool any() const { return !shape.empty() || radius || height || climb || slope || cell || plain; }
 
-    /// Throws `Failure` with ExitCode::usage, in words.
+    /// Without what surfaces do. Throws `Failure` with ExitCode::usage, in words.
     [[nodiscard]] CharacterSettings settings() const;
 };
 
-/// What a mesh of a level is built with. The options refer to this.
+/// --start.
+struct StartOption {
+    std::string place;
+
+    void add_to(CLI::App& command);
+
+    /// Throws `Failure` with ExitCode::usage, in words.
+    [[nodiscard]] std::optional<dvec3> value() const;
+};
+
+/// What a mesh of a level is built with, and who walks on it. Settings and options refer to this. Throws as
+/// `WalkerOptions::settings` does.
 struct Ground {
     Ground(const Level& level, const WalkerOptions& walker);
     Ground(const Ground&) = delete;
     Ground& operator=(const Ground&) = delete;
 
     std::vector<NavigationRegion> regions;
+    std::vector<NavigationArea> areas;
+    std::vector<std::uint32_t> surface_areas;
+    std::vector<SurfaceRule> rules;
+    CharacterSettings settings;
     NavigationOptions options;
 };
 
@@ -51,8 +68,10 @@ enum class Proof : std::uint8_t {
     by_feet,  ///< links that a simulated character gets over, and without what it does not reach
 };
 
-/// Builds the mesh of a level with a progress bar. What the proof took out is told in `agreement`. Throws `Failure`.
+/// Builds the mesh of a level with a progress bar. The proof begins at `start`, or else where `best_start` says; what
+/// it took out is told in `agreement`. Throws `Failure`.
 [[nodiscard]] NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Proof proof,
+                                          const std::optional<dvec3>& start = {},
                                           NavigationAgreement* agreement = nullptr);
 
 /// The mesh that the level's file holds, if it holds one. Throws `Failure` if that is damaged.

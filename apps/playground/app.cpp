@@ -21,7 +21,6 @@ namespace {
 volatile std::sig_atomic_t asked_to_end = 0;
 
 constexpr double tick = 1.0 / 60;
-constexpr int most_ticks = 4;  // a frame; a slow machine goes slower rather than ever farther behind
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -59,7 +58,7 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
         app->toasts_.warn(settings.error().text);
     }
     view::DisplayOptions wanted;
-    wanted.title = "Surefoot playground";
+    wanted.title = options.title;
     wanted.size = options.size.value_or(options.headless ? view::ivec2(1280, 720)
                                                          : view::ivec2(app->settings_.width, app->settings_.height));
     wanted.headless = options.headless;
@@ -85,8 +84,9 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
                               app->chooser_, *app->levels_, *app->navigation_, options.headless, options.level,
                               options.scene, options.ghost_command});
+    app->stage_->bot = options.bot;
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
-    app->go_to(options.room);
+    app->go_to(options.only_room.empty() ? options.room : options.only_room);
     return app;
 }
 
@@ -220,6 +220,11 @@ void App::house_event(const view::InputEvent& event) {
         settings_.full_screen = display_->is_full_screen();
         return;
     }
+    if (!options_.only_room.empty()) {
+        if (imgui_->event(event)) return;
+        room_->event(event);
+        return;
+    }
     if (view::is_press(event, view::Key::f1)) {
         help_ = !help_;
         return;
@@ -240,17 +245,18 @@ void App::house_event(const view::InputEvent& event) {
 }
 
 void App::update(double dt) {
-    behind_ = std::min(behind_ + dt, most_ticks * tick);
+    clock_.add(dt);
     bool moves = levels_->update();
-    // A hair less than a tick: a display of 60 Hz must not fall back to every other frame by rounding.
-    while (behind_ >= tick * 0.98) {
+    // What lacks a hair is rounded up: a display of 60 Hz must not fall back to every other frame.
+    if (clock_.waiting >= tick * 0.98 && clock_.waiting < tick) clock_.waiting = tick;
+    while (clock_.due()) {
         moves = room_->update(tick) || moves;
         navigation_->set_ground(room_->ground());
         moves = navigation_->update() || moves;
         moves = toasts_.update(tick) || moves;
-        behind_ = std::max(behind_ - tick, 0.0);
     }
-    stage_->waiting = behind_;
+    stage_->waiting = clock_.waiting;
+    if (room_->wants_quit()) quit_ = true;
     if (moves) restless_ = 3;
     if (restless_ > 0) --restless_;
 }
@@ -259,7 +265,7 @@ void App::draw() {
     imgui_->begin_frame(tick);
     renderer_->begin({room_->camera(), display_->size(), display_->framebuffer_size(), display_->scale()});
     room_->draw(*renderer_);
-    navigation_->draw(*renderer_, behind_);
+    navigation_->draw(*renderer_, clock_.waiting);
     view::draw_labels(renderer_->view(), renderer_->labels(),
                       [this](const dvec3& place) { return room_->hides(place); });
     room_->ui();
@@ -276,6 +282,7 @@ void App::paint() {
     renderer_->end(display_->framebuffer());
     glBindFramebuffer(GL_FRAMEBUFFER, display_->framebuffer());
     glViewport(0, 0, display_->framebuffer_size().x, display_->framebuffer_size().y);
+    room_->draw_over(display_->framebuffer());
     imgui_->paint();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <surefoot/error.hpp>
+#include <surefoot/fixed_step.hpp>
 
 #include "playground/options.hpp"
 #include "playground/room.hpp"
@@ -86,8 +87,8 @@ private:
     std::vector<view::Screenshot> screenshots_;
     std::vector<view::CaptionedPicture> thumbnails_;
     int frame_ = 0;
-    int restless_ = 3;   // frames to be drawn before waiting for input
-    double behind_ = 0;  // time that was not yet updated [s]
+    int restless_ = 3;                                     // frames to be drawn before waiting for input
+    FixedStep clock_{.step = 1.0 / 60, .most = 4.0 / 60};  // a slow machine goes slower rather than ever farther behind
     double last_time_ = 0;
     bool help_ = false;
     bool is_painted_ = true;  // is the frame that was collected last in the framebuffer?

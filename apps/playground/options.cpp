@@ -9,6 +9,7 @@
 #include <surefoot/version.hpp>
 
 #include "course/catalogue.hpp"
+#include "playground/picture_options.hpp"
 #include "playground/room.hpp"
 
 namespace surefoot::playground {
@@ -25,15 +26,6 @@ Examples:
 Without --room it begins on the start screen. F1 shows the keys. docs/playground.md tells how scripts are written.
 Exit codes: 0 well, 1 a script went wrong or a picture could not be written, 2 wrong usage, 3 a file cannot be read,
             4 no display or no OpenGL that is new enough.)";
-
-std::optional<view::ivec2> parse_size(const std::string& text) {
-    int width = 0;
-    int height = 0;
-    char end = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &end) != 2) return std::nullopt;
-    if (width < 64 || height < 64 || width > 16384 || height > 16384) return std::nullopt;
-    return view::ivec2(width, height);
-}
 
 std::optional<glm::dvec3> parse_place(const std::string& text) {
     glm::dvec3 place{0, 0, 0};
@@ -76,27 +68,9 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
     program.add_flag("--navigation", options.navigation, "Show the navigation mesh of the room's ground (F2)");
     program.add_option("--from", from, "Where its way begins, at the feet")->type_name("X,Y,Z");
     program.add_option("--to", to, "Where it ends, at the feet")->type_name("X,Y,Z");
-    program.add_flag("--headless", options.headless,
-                     "Draw without a display; time goes by frames, so every run is alike");
-    program.add_option("--script", options.scripts,
-                       "Input from this file instead of a hand; several are played one after the other");
-    program.add_option("--frames", options.frames, "End after so many frames")->check(CLI::Range(1, 1000000));
-    program.add_option("--screenshot", options.screenshot, "Keep the last frame as a PNG");
-    program.add_option("--contact-sheet", options.contact_sheet,
-                       "A PNG with all screenshots of the scripts, small, with their captions");
-    program.add_option("--size", size, "Of the window, as 1280x720")->type_name("WxH");
-    program
-        .add_option("--preset", options.preset, "What is drawn: full, or software for machines without a graphics card")
-        ->check(CLI::IsMember({"software", "full"}));
-    program.add_option("--scale", options.scale, "How large letters are, headless (a window asks the system)")
-        ->check(CLI::Range(0.5, 4.0));
-    program.add_option("--settings", options.settings,
-                       "Keep settings in this file (headless runs keep none otherwise)");
-    program.add_option("--gl", options.gl, "Take this OpenGL: core (3.3) or es (ES 3.0)")
-        ->check(CLI::IsMember({"core", "es"}));
+    add_picture_options(program, options, size);
     bool list_rooms = false;
     program.add_flag("--list-rooms", list_rooms, "Print what --room takes, a line each, and end");
-    program.add_flag("--timing", options.timing, "Print how long frames took, and how much of all processors");
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -106,13 +80,7 @@ std::optional<ExitCode> read_options(int argc, const char* const* argv, Options&
         for (const std::string& id : ids) fmt::print("{}\n", id);
         return ExitCode::ok;
     }
-    if (!size.empty()) {
-        options.size = parse_size(size);
-        if (!options.size) {
-            fmt::print(stderr, "surefoot-playground: --size {}: write it as 1280x720, 64 to 16384 each\n", size);
-            return ExitCode::usage;
-        }
-    }
+    if (!take_size(size, "surefoot-playground", options)) return ExitCode::usage;
     for (const auto& [name, text, place] :
          {std::tuple{"--from", &from, &options.from}, std::tuple{"--to", &to, &options.to}}) {
         if (text->empty()) continue;

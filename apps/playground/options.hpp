@@ -21,6 +21,9 @@ enum class ExitCode : int {
 
 struct Options {
     std::string room;
+    std::string only_room{};  ///< a program of its own: no start screen, no help and overlay of the house
+    std::string title = "Surefoot playground";
+    bool bot = false;  ///< a bot plays where there is a game
     std::string level;
     std::string scene;               ///< of the course
     std::string ghost_command;       ///< a program that walks it

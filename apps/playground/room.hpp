@@ -35,6 +35,7 @@ struct Stage {
     std::string level{};            ///< from the command line; empty if none was named
     std::string scene{};            ///< of the course, likewise
     std::string ghost_command{};    ///< a program that walks it beside ours, likewise
+    bool bot = false;               ///< it plays, where there is a game
     double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 
     // What these call back belongs to the room that is open: once that is left, `done` is never called.
@@ -76,6 +77,12 @@ public:
 
     /// Everything in the world. `renderer.view()` says from where and how large.
     virtual void draw(view::Renderer& renderer) = 0;
+
+    /// What lies flat over the world and under the panels; drawn at once, into this framebuffer object.
+    virtual void draw_over(unsigned /*framebuffer*/) {}
+
+    /// The user has had enough of the program.
+    [[nodiscard]] virtual bool wants_quit() const { return false; }
 
     /// Panels, with the widgets of view/widgets.hpp or Dear ImGui's.
     virtual void ui() = 0;

@@ -4,6 +4,7 @@
 
 #include "playground/course_room/room.hpp"
 #include "playground/debugger_room/room.hpp"
+#include "playground/platformer_room.hpp"
 #include "playground/room.hpp"
 #include "playground/walk/walk.hpp"
 
@@ -11,6 +12,8 @@ namespace surefoot::playground {
 
 std::span<const RoomCard> rooms() {
     static const std::array cards{
+        RoomCard{"platformer", "Platformer", "A game to finish: run, jump, dash and climb through its levels.",
+                 make_platformer},
         RoomCard{"debugger", "Debugger",
                  "One question, taken by the hand: move START, END or a corner, and see what stops the motion.",
                  make_debugger},

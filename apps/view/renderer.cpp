@@ -101,6 +101,7 @@ void Renderer::begin(const FrameView& view) {
     parts_->placed.clear();
     parts_->triangles.clear();
     parts_->lines.clear();
+    parts_->pieces.clear();
     parts_->shapes.next_frame();
 }
 
@@ -136,6 +137,10 @@ void Renderer::outline(const PlacedShape& shape) {
         parts_->lines.add(from, to, width * share, width * share, with_opacity(line, border ? 1 : 0.6),
                           border ? shape.look.behind : 0);
     }
+}
+
+void Renderer::piece(const Piece& piece) {
+    parts_->pieces.add(piece);
 }
 
 void Renderer::line(const dvec3& from, const dvec3& to, const Stroke& stroke) {

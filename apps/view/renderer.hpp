@@ -17,6 +17,7 @@
 #include "view/lighting.hpp"
 #include "view/line_pass.hpp"
 #include "view/model.hpp"
+#include "view/piece_pass.hpp"
 
 namespace surefoot::view {
 
@@ -66,6 +67,7 @@ struct FrameCounts {
     std::size_t triangles = 0;
     std::size_t lines = 0;
     std::size_t shapes = 0;
+    std::size_t pieces = 0;
     bool shadow_drawn = false;  ///< the still shadow map had to be made anew
 };
 
@@ -85,6 +87,9 @@ public:
     void model(const std::shared_ptr<const Model>& model, const ModelLook& look = {}, const Pose& pose = {});
 
     void shape(const Volume& volume, const dvec3& position, const ShapeLook& look = {});
+
+    /// A small solid; hundreds of them cost little.
+    void piece(const Piece& piece);
 
     void line(const dvec3& from, const dvec3& to, const Stroke& stroke);
     void polyline(std::span<const dvec3> points, const Stroke& stroke, bool closed = false);
@@ -128,6 +133,7 @@ private:
     void draw_sky();
     void draw_models();
     void draw_shapes(bool solid);
+    void draw_pieces(bool see_through);
     void draw_triangles();
     void finish(unsigned framebuffer);
 

@@ -50,6 +50,7 @@ void Renderer::end(unsigned framebuffer) {
     finish(framebuffer);
     counts_.lines = p.lines.size();
     counts_.shapes = p.placed.size();
+    counts_.pieces = p.pieces.pieces().size();
 }
 
 void Renderer::draw_shadows() {
@@ -115,6 +116,8 @@ void Renderer::draw_shadows() {
     };
     for (const PlacedShape& s : p.placed)
         if (s.look.casts_shadow) include(s.middle, s.reach);
+    for (const Piece& piece : p.pieces.pieces())
+        if (piece.casts_shadow) include(piece.place[3], reach_of(piece));
     for (const PlacedModel& m : p.models)
         if (m.look.moves) include(m.origin(), glm::length(m.model->bounds().max - m.model->bounds().min) * 0.5);
     if (moving_low.x <= moving_high.x) {
@@ -129,6 +132,7 @@ void Renderer::draw_shadows() {
             p.depth.set("clip_from_model", p.moving->clip_from(middle) * s.from_model(middle));
             s.model->draw();
         }
+        p.pieces.draw_depth(p.moving->clip_from(middle), middle);
         p.light.moving_strength = 0.55F;
         p.light.moving_from_eye = p.moving->map_from(camera.eye);
     }
@@ -153,11 +157,13 @@ void Renderer::draw_scene() {
     glClear(GL_DEPTH_BUFFER_BIT);  // the sky covers every pixel that nothing else does
     draw_models();
     draw_shapes(true);
+    draw_pieces(false);
     draw_sky();
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     draw_triangles();
     draw_shapes(false);
+    draw_pieces(true);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
 }
@@ -214,6 +220,12 @@ void Renderer::draw_shapes(bool solid) {
     }
     glDisable(GL_CULL_FACE);
     glBindVertexArray(0);
+}
+
+void Renderer::draw_pieces(bool see_through) {
+    Parts& p = *parts_;
+    counts_.triangles += p.pieces.draw(p.light, p.clip_from_eye, view_.camera.eye,
+                                       view_.camera.unit_at(1, view_.framebuffer), see_through, effects.shadows);
 }
 
 void Renderer::draw_sky() {

@@ -69,6 +69,7 @@ struct Renderer::Parts {
     gl::Buffer flat_buffer;
     LinePass lines;
     ShapeStore shapes;
+    PiecePass pieces;
     Canvas canvas;
     std::optional<ShadowMap> still;
     std::optional<ShadowMap> moving;

@@ -140,7 +140,8 @@ private:
                     walked = 0;
                 }
                 in_air = 0;
-                walked += tick;
+                // On ice feet get their speed late; a way from rest takes as the root of the grip.
+                walked += tick * std::sqrt(std::clamp(settings_.surfaces[state.ground_surface].grip, 1e-3, 1.0));
             } else {
                 in_air += tick;
                 if (in_air > options_.longest_fall) break;

@@ -16,7 +16,10 @@ struct Forbidden {
     std::span<const NavigationRegion> regions;
     std::span<const std::uint32_t> surface_areas;
 
-    [[nodiscard]] bool any() const { return !regions.empty() || !surface_areas.empty(); }
+    [[nodiscard]] bool any() const {
+        return !regions.empty() ||
+               std::find(surface_areas.begin(), surface_areas.end(), forbidden_area) != surface_areas.end();
+    }
 
     /// Does somebody with feet there stand where nobody is to?
     [[nodiscard]] bool holds(const CharacterState& state, const dvec3& feet) const {

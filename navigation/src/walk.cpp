@@ -14,6 +14,14 @@ constexpr double longest_settling = 1;  ///< before the walk begins [s]
 constexpr double at_least = 10;         ///< time for every walk [s]
 constexpr double patience = 4;          ///< times what the plan takes at full speed
 
+/// What kept a character from going, the worst last.
+enum class Halt { none, blocked, overflow };
+
+Halt halt_of(const CharacterEvents& events) {
+    if (events.has(CharacterEvent::overflow)) return Halt::overflow;
+    return events.has(CharacterEvent::blocked) ? Halt::blocked : Halt::none;
+}
+
 CharacterState at_rest(const World& world, const CharacterSettings& settings, const NavigationQuery& query,
                        const dvec3& from, double tick) {
     const dvec3& up = query.mesh().up();
@@ -38,7 +46,7 @@ WalkReport walk_path(const World& world, const CharacterSettings& settings, cons
     NavigationFollower follower(options.follow);
     follower.go(query, to);
     double most = options.most_seconds > 0 ? options.most_seconds : at_least;
-    bool was_blocked = false;
+    Halt worst = Halt::none;
     while (follower.status() == NavigationFollowStatus::following && report.seconds < most) {
         const CharacterInput input = follower.input(query, state, settings, options.tick);
         if (report.planned == 0 && follower.plans() > 0) {
@@ -46,10 +54,10 @@ WalkReport walk_path(const World& world, const CharacterSettings& settings, cons
             if (!(options.most_seconds > 0)) most = at_least + patience * report.planned / options.follow.speed;
         }
         const StepResult result = step(world, settings, input, options.tick, state);
-        const bool is_blocked = result.events.has(CharacterEvent::blocked);
-        if (navigation::length(input.wish) > 0 && (is_blocked || !was_blocked)) {
+        const Halt halt = halt_of(result.events);
+        if (navigation::length(input.wish) > 0 && halt >= worst) {
             report.stuck = WalkMoment{.before = state, .input = input};
-            was_blocked = was_blocked || is_blocked;
+            worst = halt;
         }
         report.walked += navigation::length(navigation::level(result.state.position - state.position, up));
         report.seconds += options.tick;

@@ -35,6 +35,7 @@ void stand(Tick& tick) noexcept {
     const GroundRule rule{settings.perch_distance, unit(tick.wish), settings.snap_down};
     const double depth = was_standing ? settings.snap_down + settings.skin : touching * settings.skin;
     tick.ground = ground_under(tick.surroundings, tick.body, tick.gait, rule, tick.position, depth);
+    if (!tick.ground.trusted) tick.say(CharacterEvent::overflow);
     stand_if_wedged(tick.surroundings, tick.body, tick.gait, tick.position, tick.ground);
     tick.standing = tick.ground.footing == Footing::ground;
     tick.tell(tick.standing ? StepAct::ground : StepAct::no_ground, tick.ground, tick.ground.distance);

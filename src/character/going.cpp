@@ -90,6 +90,10 @@ void fall(Tick& tick, double seconds) noexcept {
     const Vec before = tick.level(tick.velocity);
     const Travel travel = accelerate(before, dashes(tick) ? before : tick.wish, settings.air_acceleration, seconds);
     tick.glide(travel.way + tick.up * flight.rise, travel.velocity + tick.up * flight.speed);
+    // A slope that is met in the air does not make it rise faster than it did of itself: else it would skim up the
+    // slope for as long as it walks up it, and what rises does not land.
+    const double lift = dot(tick.velocity, tick.up) - larger(0, flight.speed);
+    if (lift > 0 && !tick.hooks.respond) tick.velocity = tick.velocity - tick.up * lift;
     if (dot(tick.velocity, tick.up) <= 0) tick.state.is_jumping = 0;
     land(tick, flight.speed);
 }
@@ -97,6 +101,7 @@ void fall(Tick& tick, double seconds) noexcept {
 void move_freely(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
     tick.state.is_jumping = 0;
+    drop_ledge(tick);
     if (tick.input.mode == CharacterMode::own) {
         const OwnMotion answer = tick.hooks.move({.position = to_dvec3(tick.position),
                                                   .velocity = to_dvec3(tick.velocity),
@@ -127,7 +132,7 @@ bool climb(Tick& tick) noexcept {
     std::size_t place = 0;
     while (const Touch* next = touches.at(place++)) {
         const Touch& touch = *next;
-        const SourceTriangle triangle = tick.surroundings.triangles()[touch.index];
+        const SourceTriangle triangle = tick.surroundings.triangle(touch.index);
         const double towards = -dot(touch.normal, ahead);
         if (touch.status != HitStatus::ok || !settings.surfaces[triangle.surface].ladder || towards < 0.5) continue;
         const double speed = tick.input.crouch ? -settings.ladder_speed : settings.ladder_speed;

@@ -54,7 +54,7 @@ struct Hold {
 Hold hold_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
              const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
     const double rises = dot(surface, gait.up);
-    if (surroundings.rule_of(surroundings.triangles()[touch.index].surface).slippery) {
+    if (surroundings.rule_of(surroundings.triangle(touch.index).surface).slippery) {
         return {Footing::steep, StepRule::slippery, 0, 0};
     }
     if (rises < gait.least_ground_up) return {Footing::steep, StepRule::slope_limit, rises, gait.least_ground_up};
@@ -77,7 +77,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         return ground;
     }
     Touches touches;
-    surroundings.sweep(body, position, down, touches);
+    surroundings.sweep(body, position, down, touches, Wanted::some);
     double first = -1;
     const double window = met_together * gait.skin;
     const auto until = [&] { return first < 0 ? 1 : surely_later * ((first + window) / depth); };
@@ -90,7 +90,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
         }
         const double distance = touch.t * depth;
         if (first >= 0 && distance > first + window) break;
-        const SourceTriangle triangle = surroundings.triangles()[touch.index];
+        const SourceTriangle triangle = surroundings.triangle(touch.index);
         const Vec centre = position + down * touch.t;
         const Faces faces = faces_of(touch, surroundings, body, gait.skin, centre, gait.up);
         for (const Vec& normal : faces.get()) {
@@ -107,6 +107,7 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
                       triangle.surface, hold.rule, hold.value, hold.limit, true};
         }
     }
+    if (first < 0 && touches.lost_some()) ground.trusted = false;
     return ground;
 }
 

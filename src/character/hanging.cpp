@@ -85,8 +85,7 @@ bool keep_hanging(Tick& tick) noexcept {
     if (tick.state.hold == Hold::climbing) return go_up(tick);
     const double pull = -dot(wall, tick.wish);
     if (tick.input.crouch || pull < -0.5 * length(tick.wish) - 1e-12) {
-        let_go(tick);
-        tick.say(CharacterEvent::dropped_ledge);
+        drop_ledge(tick);
         return false;
     }
     const double hands = tick.settings.hands_height;
@@ -113,10 +112,19 @@ bool keep_hanging(Tick& tick) noexcept {
 
 }  // namespace
 
+void drop_ledge(Tick& tick) noexcept {
+    if (tick.state.hold == Hold::none) return;
+    let_go(tick);
+    tick.say(CharacterEvent::dropped_ledge);
+}
+
 bool hold_ledge(Tick& tick) noexcept {
     const CharacterSettings& settings = tick.settings;
     CharacterState& state = tick.state;
-    if (settings.ledge_reach <= 0) return false;
+    if (settings.ledge_reach <= 0) {
+        drop_ledge(tick);
+        return false;
+    }
     if (state.hold != Hold::none) return keep_hanging(tick);
     if (tick.wish == Vec{} || tick.input.crouch || state.since_hold < lets_go_for) return false;
     const Vec ahead = unit(tick.wish);

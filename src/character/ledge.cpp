@@ -62,7 +62,7 @@ public:
         const double height = start - half + dot(tick_.up, tick_.up * (low - high - tick_.gait.skin)) * top->t;
         ledge.edge = over + tick_.up * height;
         ledge.wall = out;
-        const SourceTriangle& triangle = tick_.surroundings.triangles()[top->index];
+        const SourceTriangle& triangle = tick_.surroundings.triangle(top->index);
         ledge.body = triangle.body;
         ledge.triangle = triangle.id;
         place(ledge, feet + ahead * distance, height);
@@ -104,8 +104,8 @@ private:
                         .point = to_dvec3(met ? touch.point : from),
                         .normal = to_dvec3(touch.normal),
                         .value = met ? touch.t : 1,
-                        .triangle = met ? tick_.surroundings.triangles()[touch.index].id : 0,
-                        .body = met ? tick_.surroundings.triangles()[touch.index].body : 0,
+                        .triangle = met ? tick_.surroundings.triangle(touch.index).id : 0,
+                        .body = met ? tick_.surroundings.triangle(touch.index).body : 0,
                         .act = act});
         }
         if (!met || touch.status != HitStatus::ok) return std::nullopt;
@@ -115,8 +115,8 @@ private:
     std::optional<Ledge> refused(const Touch& touch, StepRule rule) noexcept {
         tick_.tell({.point = to_dvec3(touch.point),
                     .normal = to_dvec3(touch.normal),
-                    .triangle = tick_.surroundings.triangles()[touch.index].id,
-                    .body = tick_.surroundings.triangles()[touch.index].body,
+                    .triangle = tick_.surroundings.triangle(touch.index).id,
+                    .body = tick_.surroundings.triangle(touch.index).body,
                     .act = StepAct::ledge_refused,
                     .rule = rule});
         return std::nullopt;

@@ -42,10 +42,10 @@ public:
           full_{body.kept_off, body.shift} {}
 
     Recovery run(const Vec& from, double farthest) noexcept {
-        Recovery result{from, false, false};
+        Recovery result{from};
         for (int round = 0; round < most_rounds; ++round) {
             if (!find_pushes(result.position)) {
-                result.stuck = true;
+                result.overflow = true;
                 return result;
             }
             if (count_ == 0) return result;
@@ -81,10 +81,10 @@ private:
                 const auto place = room_near(from + direction * distance, size);
                 if (!place || crosses(from, *place)) continue;
                 const Vec way = *place - from;
-                return {from + way * smaller(1, farthest / length(way)), true, false};
+                return {.position = from + way * smaller(1, farthest / length(way)), .moved = true};
             }
         }
-        return {from, false, true};
+        return {.position = from, .stuck = true};
     }
 
     // Where there is room, at a place or one push away from it.
@@ -145,12 +145,14 @@ private:
     // What lies between is not known unless it was gathered.
     bool crosses(const Vec& from, const Vec& to) noexcept {
         const Motion way{to_dvec3(from), to_dvec3(to)};
-        if (!surroundings_.cover(swept_box({}, way))) return true;
-        for (const SourceTriangle& triangle : surroundings_.triangles()) {
-            if (surroundings_.rule_of(triangle.surface).one_way) continue;
-            if (surefoot::ray(way, triangle.triangle)) return true;
-        }
-        return false;
+        const Box3 box = swept_box({}, way);
+        if (!surroundings_.cover(box)) return true;
+        bool crossed = false;
+        surroundings_.near(box, [&](const SourceTriangle& triangle) {
+            if (crossed || surroundings_.rule_of(triangle.surface).one_way) return;
+            crossed = surefoot::ray(way, triangle.triangle).has_value();
+        });
+        return crossed;
     }
 
     Surroundings& surroundings_;

@@ -11,7 +11,8 @@ inline constexpr double recovery_speed = 10;
 struct Recovery {
     Vec position;
     bool moved = false;
-    bool stuck = false;  ///< it is inside of something, and there is no way out within reach
+    bool stuck = false;     ///< it is inside of something, and there is no way out within reach
+    bool overflow = false;  ///< more is near than can be looked at
 };
 
 /// Moves the body, by at most `farthest` [m], until it is a skin away from everything, if it is nearer than half of

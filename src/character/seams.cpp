@@ -105,7 +105,7 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
     faces.surface = touch.normal;
     const double reach = holds_within * skin;
     if (touch.feature != Feature::face) {
-        const Face own = face_of(surroundings.triangles()[touch.index].triangle, centre);
+        const Face own = face_of(surroundings.triangle(touch.index).triangle, centre);
         Uppermost uppermost(touch, up);
         bool covered = false;
         near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {

@@ -20,6 +20,9 @@ constexpr double rest = 1e-9;
 // Longer moves than this many times the body's size are first asked of the world's own tree.
 constexpr double leap_from = 4;
 
+// How often a slide asks for more touches where all that there was room for can be passed over.
+constexpr int most_pages = 32;
+
 // The plane as a wall: its normal as seen from above. Nothing for level ground.
 std::optional<Vec> wall_of(const Vec& normal, const Vec& up) noexcept {
     const Vec level = normal - up * dot(normal, up);
@@ -102,9 +105,13 @@ private:
             result_.overflow = true;
             return false;
         }
+        sweep(motion);
+        return true;
+    }
+
+    void sweep(const Vec& motion) noexcept {
         surroundings_.sweep(body_, result_.position, motion, touches_);
         surroundings_.neighbours().sweep(result_.position, motion, touches_);
-        return true;
     }
 
     // A long way: to where the world says that something is met, less a body's size, which is then gone with care.
@@ -139,10 +146,7 @@ private:
             if (first->status != HitStatus::ok) return true;  // it cannot be trusted to be free
             if (meet(*first, motion)) break;
         }
-        if (first == nullptr) {
-            result_.position = result_.position + motion;
-            return true;
-        }
+        if (first == nullptr) return go_past_all(motion, way);
         const double t = first->t;
         const double window = met_together * gait_.skin;
         while (const Touch* next = touches_.at(place++, t + surely_later * (window / way))) {
@@ -152,6 +156,22 @@ private:
         if (t > 0) result_.position = result_.position + motion * t;
         if (gait_.respond != nullptr && !result_.overflow) ask_user(*first, planes_before);
         return result_.overflow;
+    }
+
+    // Nothing that is known of is in the way. True when the slide is over.
+    bool go_past_all(const Vec& motion, double way) noexcept {
+        if (!touches_.lost_some()) {
+            result_.position = result_.position + motion;
+            return true;
+        }
+        if (++pages_ <= most_pages && touches_.turn_page()) {
+            sweep(motion);
+            return go_to_first(motion, way);
+        }
+        result_.position = result_.position + motion * touches_.latest();
+        tell({.act = StepAct::overflow});
+        result_.overflow = true;
+        return true;
     }
 
     // The user's own response to what is touched now. What was met before is behind it.
@@ -167,7 +187,7 @@ private:
                               .left = {.way = to_dvec3(target_ - result_.position), .velocity = to_dvec3(velocity_)},
                               .body = named.body,
                               .triangle = named.triangle,
-                              .surface = touch.is_neighbour ? 0 : surroundings_.triangles()[touch.index].surface,
+                              .surface = touch.is_neighbour ? 0 : surroundings_.triangle(touch.index).surface,
                               .is_neighbour = touch.is_neighbour,
                               .on_foot = gait_.on_foot});
         target_ = result_.position + finite_or_none(answer.way);
@@ -271,6 +291,7 @@ private:
     Planes3 given_;
     Vec velocity_;
     double size_ = 0;
+    int pages_ = 0;
     SlideResult result_;
     Touches touches_;
 };

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 
 #include <surefoot/character_surface.hpp>
 #include <surefoot/character_trace.hpp>
@@ -13,6 +12,7 @@
 #include <surefoot/world.hpp>
 
 #include "character/body.hpp"
+#include "character/many_triangles.hpp"
 #include "character/separation.hpp"
 #include "character/touches.hpp"
 #include "query/reach.hpp"
@@ -37,9 +37,16 @@ struct Named {
     std::uint32_t triangle = 0;
 };
 
+/// Of a thousand triangles that are touched at the same time, are some enough?
+enum class Wanted { all, some };
+
+/// What can be met is listed, if there is room: one look at the world for many questions. Where there are too many
+/// triangles for that, each question looks at all of them anew, a room full at a time; that is slow, and the answers
+/// are the same.
 class Surroundings {
 public:
-    static constexpr std::size_t most = 512;
+    static constexpr std::size_t most = 512;              ///< in the list
+    static constexpr std::size_t most_in_reach = 0x8000;  ///< of one question; a bound on its work
 
     /// `slack`: how far a body may be behind a one-way surface and still have come from its front [m].
     Surroundings(const World& world, const WorldQuery& query, const SurfaceRules& rules, double slack,
@@ -51,27 +58,31 @@ public:
         return {world_, query_, rules_, slack_, neighbours_, nullptr};
     }
 
-    /// Makes sure that the triangles in this box are there. False if there are more than find room.
+    /// Makes sure that a question about this box can be asked. False if there are more triangles than can be looked at.
     bool cover(const Box3& box) noexcept;
 
-    /// Are they there already?
-    [[nodiscard]] bool covers(const Box3& box) const noexcept;
+    /// Lists the triangles in a box of which several questions are going to be asked. False, and nothing is listed, if
+    /// there are too many for that; then each question covers its own.
+    bool cover_if_few(const Box3& box) noexcept;
 
-    /// Makes sure of a box of which several questions are going to be asked, beside what is there already. Where there
-    /// are too many for one gather, each question makes its own.
+    /// The same, beside what is listed already.
     void cover_as_well(const Box3& box) noexcept;
 
-    /// All triangles, in the order of (body, id).
-    [[nodiscard]] std::span<const SourceTriangle> triangles() const noexcept { return {triangles_.data(), count_}; }
+    /// Are the triangles in it listed?
+    [[nodiscard]] bool covers(const Box3& box) const noexcept;
+
+    /// The one that a touch speaks of. Until something else is covered.
+    [[nodiscard]] const SourceTriangle& triangle(std::size_t index) const noexcept { return triangles_[index]; }
 
     /// Every triangle's touch on the way from `from` by `motion`, `volume` being moved from `from + shift`. Requires:
     /// the way is covered; `extent` is the box around the volume, relative to `from`.
     void sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,
-               Touches& touches) const noexcept;
+               Touches& touches) noexcept;
 
     /// Calls `visit(triangle)` for those whose own box meets this one.
     template <typename Visit>
     void near(const Box3& box, const Visit& visit) const noexcept {
+        if (are_many_) return each_of_many(world_, query_, box, visit);
         for (std::size_t i = 0; i < count_; ++i) {
             if (boxes_[i].meets(box)) visit(triangles_[i]);
         }
@@ -80,7 +91,8 @@ public:
     /// The same for the body itself, kept off by its skin, which is what most questions are about: a triangle that a
     /// plane keeps apart from all of the motion is not asked, and one that a plane keeps apart at first only if the
     /// touches before it are not enough.
-    void sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches) noexcept;
+    void sweep(const Body& body, const Vec& from, const Vec& motion, Touches& touches,
+               Wanted wanted = Wanted::all) noexcept;
 
     /// One of the triangles.
     void ask(std::size_t i, const Volume& volume, const Motion& motion, Touches& touches) const noexcept;
@@ -92,6 +104,7 @@ public:
     /// may overlap at this place.
     template <typename Visit>
     void near_body(const Body& body, const GrownVolume& less, const Vec& position, const Visit& visit) noexcept {
+        if (are_many_) return near_body_of_many(body, less, position, visit);
         separate(body, position);
         const Vec moved = position - separated_at_;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -126,6 +139,28 @@ private:
 
     static constexpr Box3 nothing{{1, 1, 1}, {-1, -1, -1}};  // no box lies inside of it
 
+    // How much of a gap may be rounding, with numbers as large as these.
+    static double hair_of(const Body& body, double largest_number) noexcept;
+
+    // Lists what is in the box, if it fits. How many there are.
+    std::size_t list(const Box3& box) noexcept;
+
+    template <typename Visit>
+    void near_body_of_many(const Body& body, const GrownVolume& less, const Vec& position,
+                           const Visit& visit) const noexcept {
+        const Separator separator(body.kept_off.shape, body.frame, position + body.shift);
+        each_of_many(world_, query_, body.around(position, {}, 0), [&](const SourceTriangle& triangle) noexcept {
+            const Separation apart = separator.from(triangle.triangle);
+            const double hair = hair_of(body, larger(largest(position), magnitude_of(box_of(triangle.triangle))));
+            if (apart.gap > hair || apart.gap + thinner_by(body, less, apart.normal) > hair) return;
+            visit(triangle);
+        });
+    }
+    void sweep_many(const Body& body, const Vec& from, const Vec& motion, Touches& touches, Wanted wanted) noexcept;
+    // The triangle is asked and, if it is touched early enough, kept where its touch finds it.
+    void ask_one_of_many(const SourceTriangle& triangle, const Volume& volume, const Motion& motion,
+                         Touches& touches) noexcept;
+
     // Finds the planes between the body and the triangles, if it was not done for this body and these triangles.
     void separate(const Body& body, const Vec& position) noexcept;
 
@@ -137,6 +172,7 @@ private:
     StepTrace* trace_;
     std::size_t count_ = 0;
     Box3 covered_ = nothing;
+    bool are_many_ = false;  // nothing is listed: each question looks for itself
     RawArray<SourceTriangle, most> triangles_;
     RawArray<Box3, most> boxes_;
 

@@ -86,7 +86,10 @@ void Tick::glide(const Vec& way, const Vec& velocity_after) noexcept {
     position = slid.position;
     velocity =
         slid.answered ? slid.planes.nearest_to(*slid.answered) : velocity_along(slid.planes, gait, velocity_after);
-    if (slid.overflow) say(CharacterEvent::overflow);
+    if (slid.overflow) {
+        say(CharacterEvent::overflow);
+        velocity = {};  // it stays where it is, and gathers no speed meanwhile
+    }
     if (slid.met_ceiling) say(CharacterEvent::hit_ceiling);
     tell_obstacle(slid.obstacle);
     press(*this, {slid.met.data(), slid.met_count}, velocity_after);
@@ -162,7 +165,7 @@ void look_around(Tick& tick) noexcept {
     const bool on_foot = tick.state.footing == Footing::ground;
     // After the way, a look down for the ground to be followed.
     const double deep = way + (on_foot ? settings.snap_down + 3 * settings.skin : 0);
-    (void)tick.surroundings.cover(tick.body.around(tick.position, tick.up * (way - deep), way));
+    (void)tick.surroundings.cover_if_few(tick.body.around(tick.position, tick.up * (way - deep), way));
 }
 
 void get_out(Tick& tick) noexcept {
@@ -172,6 +175,7 @@ void get_out(Tick& tick) noexcept {
         tick.tell({.motion = to_dvec3(recovery.position - tick.position), .act = StepAct::recovered});
     }
     tick.position = recovery.position;
+    if (recovery.overflow) tick.say(CharacterEvent::overflow);
     if (!recovery.stuck) return;
     tick.say(CharacterEvent::stuck);
     tick.tell({.act = StepAct::stuck});

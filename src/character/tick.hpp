@@ -79,6 +79,7 @@ void go_on_foot(Tick& tick, double seconds) noexcept;
 void fall(Tick& tick, double seconds) noexcept;
 void move_freely(Tick& tick) noexcept;               ///< swims, flies, or goes as the user says
 [[nodiscard]] bool hold_ledge(Tick& tick) noexcept;  ///< grabs, hangs, climbs, vaults, where there is an edge
+void drop_ledge(Tick& tick) noexcept;                ///< that it holds, if it holds one
 [[nodiscard]] bool climb(Tick& tick) noexcept;       ///< on a ladder, if there is one
 void land(Tick& tick, double upward_speed) noexcept;
 

@@ -8,6 +8,7 @@
 #include "playground/walk/settings_panel.hpp"
 #include "playground/walk/settings_table.hpp"
 #include "playground/walk/time_bar.hpp"
+#include "surface_words.hpp"
 #include "view/shapes.hpp"
 #include "view/widgets.hpp"
 
@@ -58,7 +59,7 @@ OnFoot::OnFoot(Stage& stage, LevelLoader::Loaded level)
       keeping_(moments_folder(stage)),
       stations_(stations_of(level_->level)) {
     walker_.change(room_settings());
-    walker_.change(rules_of(level_->level));
+    walker_.change(tools::surface_rules(level_->level.surface_names));
     has_place_ = go_to(0) && walker_.state().footing == Footing::ground;
 }
 

@@ -160,13 +160,6 @@ CharacterSettings room_settings() {
     return settings;
 }
 
-std::vector<SurfaceRule> rules_of(const tools::Level& level) {
-    std::vector<SurfaceRule> rules(level.surface_names.size());
-    for (std::size_t i = 0; i < rules.size(); ++i)
-        if (level.surface_names[i].find("ice") == 0) rules[i].grip = 0.03;
-    return rules;
-}
-
 void settings_panel(Walker& walker, const tools::Level& level, view::Display& display, view::Toasts& toasts) {
     CharacterSettings settings = walker.settings();
     bool changed = clipboard_row(settings, display, toasts);

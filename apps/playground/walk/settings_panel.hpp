@@ -11,9 +11,6 @@ namespace surefoot::playground {
 /// What a character of this room can do: the library's defaults, and it can also crouch, dash, hang on edges and vault.
 [[nodiscard]] CharacterSettings room_settings();
 
-/// What feet find on the level's surfaces, as their names say: ice is ice.
-[[nodiscard]] std::vector<SurfaceRule> rules_of(const tools::Level& level);
-
 /// The widgets: all groups, each to be folded, and buttons to reset, copy and paste. A change is for the next tick.
 void settings_panel(Walker& walker, const tools::Level& level, view::Display& display, view::Toasts& toasts);
 

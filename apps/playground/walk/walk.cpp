@@ -14,6 +14,7 @@
 #include "playground/walk/settings_panel.hpp"
 #include "playground/walk/tape.hpp"
 #include "playground/walk/thrower.hpp"
+#include "surface_words.hpp"
 #include "view/fly_camera.hpp"
 #include "view/orbit_camera.hpp"
 #include "view/widgets.hpp"
@@ -139,7 +140,7 @@ void Walk::take_ground() {
     auto ground = std::make_shared<NavigationGround>();
     ground->pieces.push_back({mesh()});
     ground->settings = on_foot_ ? on_foot_->walker().settings() : room_settings();
-    ground->rules = on_foot_ ? on_foot_->walker().surfaces() : rules_of(level_->level);
+    ground->rules = on_foot_ ? on_foot_->walker().surfaces() : tools::surface_rules(level_->level.surface_names);
     ground->start = on_foot_ ? on_foot_->start() : (mesh().bounds().min + mesh().bounds().max) * 0.5;
     changes_ = on_foot_ ? on_foot_->walker().changes() : 0;
     ground_ = std::move(ground);

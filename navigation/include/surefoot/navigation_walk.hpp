@@ -46,8 +46,9 @@ struct WalkReport {
     NavigationPolygon last_polygon;  ///< on which it was last
     NavigationPolygon next_polygon;  ///< beyond it, on the last plan; none at its end
 
-    /// If it did not arrive: the last tick in which it wanted to go and something blocked it, else the last in which it
-    /// wanted to go; none if it never did.
+    /// If it did not arrive: the last tick in which it wanted to go and more was near than a step looks at
+    /// (`overflow`), else the last in which something blocked it, else the last in which it wanted to go; none if it
+    /// never did.
     std::optional<WalkMoment> stuck{};
 };
 

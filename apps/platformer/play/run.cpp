@@ -1,0 +1,153 @@
+#include "platformer/play/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "platformer/hero/figure.hpp"
+#include "platformer/hero/props.hpp"
+
+namespace surefoot::platformer {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+HeroFlags flags_of(const game::Game& game, bool reduced_motion) {
+    HeroFlags flags;
+    flags.under_water = game.hero().in_water;
+    flags.hurt = std::ranges::any_of(game.events(),
+                                     [](const game::GameEvent& event) { return event.what == game::Happening::hurt; });
+    flags.untouchable = game.hero().safe_for > 0 && game.hero().health < game::most_health;
+    flags.dead = game.outcome() == game::Outcome::lost;
+    flags.won = game.outcome() == game::Outcome::won;
+    flags.reduced_motion = reduced_motion;
+    return flags;
+}
+
+// Only the still level hides the hero and holds the eye; what moves is swept at where it is when the tick ends.
+CameraTarget target(const game::Game& game, double facing) {
+    return target_of(game.hero().body, game.settings(), facing, game.hero().in_water);
+}
+
+}  // namespace
+
+double facing_of(const dvec3& direction) {
+    return std::atan2(direction.x, direction.z);
+}
+
+Expected<std::unique_ptr<Run>> Run::start(Plan plan) {
+    auto game = game::Game::start(plan.level);
+    if (!game) return tl::unexpected(game.error());
+    std::unique_ptr<Run> run(new Run(std::move(plan)));
+    run->game_ = std::move(*game);
+    if (run->plan_.ghost) {
+        auto ghost = game::Game::start(run->plan_.level);
+        if (!ghost) return tl::unexpected(ghost.error());
+        run->ghost_.emplace(
+            Ghost{.game = std::move(*ghost), .player = std::make_unique<game::Player>(*run->plan_.ghost)});
+        run->ghost_->pose = hero_at(run->ghost_->game->hero().body, run->game_->settings());
+        run->ghost_->before = run->ghost_->pose;
+    }
+    if (run->plan_.watched) run->player_.emplace(*run->plan_.watched);
+    run->actors_.emplace(*run->game_);
+    run->stand();
+    return run;
+}
+
+Run::Run(Plan plan) : plan_(std::move(plan)), look_(*plan_.level), recorder_(*plan_.level, plan_.player) {}
+
+void Run::stand() {
+    const double facing = facing_of(game_->hero().facing);
+    pose_ = hero_at(game_->hero().body, game_->settings(), facing);
+    pose_before_ = pose_;
+    camera_ = camera_behind(game_->world(), target(*game_, facing), {}, facing);
+    camera_before_ = camera_;
+}
+
+game::HeroInput Run::input_of(const Asked& asked) const {
+    game::HeroInput input;
+    const dvec3 forward{std::sin(camera_.yaw), 0, std::cos(camera_.yaw)};
+    const dvec3 right{-forward.z, 0, forward.x};
+    const dvec3 way = right * asked.move.x + forward * asked.move.y;
+    input.move_x = float(std::clamp(way.x, -1.0, 1.0));
+    input.move_z = float(std::clamp(way.z, -1.0, 1.0));
+    input.look_yaw_deg = float(std::remainder(camera_.yaw / degree + 180, 360));
+    input.look_pitch_deg = float(-camera_.pitch / degree);
+    if (asked.jump) press(input, game::Button::jump);
+    if (asked.dash) press(input, game::Button::dash);
+    if (asked.crouch) press(input, game::Button::crouch);
+    return input;
+}
+
+std::optional<CameraHint> Run::hint() const {
+    for (const game::CameraHint& hint : plan_.level->cameras)
+        if (hint.zone.holds(game_->hero().body.position))
+            // From where it looks to which way it looks: the other side.
+            return CameraHint{(hint.yaw_deg + 180) * degree, hint.pitch_deg * degree, hint.distance};
+    return std::nullopt;
+}
+
+void Run::tick(const Asked& asked, const CameraSettings& settings) {
+    pose_before_ = pose_;
+    camera_before_ = camera_;
+    const CharacterState before = game_->hero().body;
+    bool stands_anew = false;
+    if (player_) {
+        stands_anew = !player_->tick(*game_);
+        if (stands_anew) is_over_ = true;
+    } else {
+        game::HeroInput input = plan_.pilot ? plan_.pilot(*game_) : input_of(asked);
+        game_->tick(input);
+        if (game_->outcome() == game::Outcome::playing || !game_->events().empty()) recorder_.tick(input, *game_);
+    }
+    since_hurt_ += game::tick_seconds;
+    since_coin_ += game::tick_seconds;
+    for (const game::GameEvent& event : game_->events()) {
+        if (event.what == game::Happening::hurt) {
+            hurt_from_ = event.place;
+            since_hurt_ = 0;
+        }
+        if (event.what == game::Happening::took_coin) since_coin_ = 0;
+        if (event.what == game::Happening::checkpoint) section_began_ = game_->seconds();
+    }
+    pose_ = advance(pose_, before, game_->hero().body, game_->hero().events, game_->settings(),
+                    flags_of(*game_, settings.reduced_motion), game::tick_seconds);
+    CameraInput turn{.turn_left = -asked.turn.x, .turn_up = -asked.turn.y};
+    camera_ =
+        advance(camera_, game_->world(), target(*game_, pose_.facing), settings, turn, hint(), game::tick_seconds);
+    actors_->tick(*game_, pose_, before, settings.reduced_motion);
+    if (ghost_) {
+        const CharacterState ghost_before = ghost_->game->hero().body;
+        ghost_->before = ghost_->pose;
+        ghost_->player->tick(*ghost_->game);
+        ghost_->pose = advance(ghost_->pose, ghost_before, ghost_->game->hero().body, ghost_->game->hero().events,
+                               game_->settings(), flags_of(*ghost_->game, settings.reduced_motion), game::tick_seconds);
+    }
+}
+
+void Run::draw(view::Renderer& renderer, double blend, bool shows_volume) const {
+    renderer.sky = sky_of(plan_.level->sky);
+    look_.draw(renderer, *game_, blend);
+    actors_->draw(renderer, *game_, blend);
+    const HeroPose now = between(pose_before_, pose_, blend);
+    draw_ground_shade(renderer, game_->world(), now.soles, 0.42);
+    platformer::draw(renderer, pose_before_, pose_, blend, {.opacity = camera_.opacity});
+    if (ghost_) platformer::draw(renderer, ghost_->before, ghost_->pose, blend, {.is_ghost = true});
+    if (shows_volume) draw_volume(renderer, game_->settings(), game_->hero().body);
+}
+
+void Run::retry() {
+    recorder_.decide(game::RunDecision::Kind::retry, *game_);
+    game_->retry();
+    stand();
+}
+
+void Run::give_up() {
+    recorder_.decide(game::RunDecision::Kind::give_up, *game_);
+    game_->give_up();
+}
+
+bool Run::is_at_end() const {
+    return is_over_ || (player_ && game_->outcome() == game::Outcome::won);
+}
+
+}  // namespace surefoot::platformer

@@ -1,0 +1,286 @@
+#include "platformer/play/theatre.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "platformer/play/hud_of.hpp"
+#include "platformer/screens/draw_screens.hpp"
+
+namespace surefoot::platformer {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double show_win_after = 2.2;   // [s]: the hero dances first
+constexpr double show_lose_after = 1.2;  // [s]
+
+}  // namespace
+
+TheatreOptions usual_theatre() {
+    namespace fs = std::filesystem;
+    TheatreOptions options;
+    options.settings = game_settings_path();
+    if (!options.settings.empty()) {
+        const fs::path folder = fs::path(options.settings).parent_path();
+        options.progress = (folder / "platformer-progress.json").string();
+        options.recordings = (folder / "platformer-runs").string();
+        options.level_folders.push_back((folder / "levels").string());
+    }
+    return options;
+}
+
+Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOptions options)
+    : display_(display),
+      renderer_(renderer),
+      options_(std::move(options)),
+      speaker_(options_.headless ? sound::Output::nothing : sound::Output::device),
+      ears_(speaker_),
+      canvas_(letters_) {
+    GameSettings settings;
+    if (auto read = read_game_settings(options_.settings))
+        settings = *read;
+    else
+        note(read.error().text);
+    if (auto read = game::read_progress(options_.progress))
+        progress_ = *read;
+    else
+        note(read.error().text);
+    screens_ = Screens(settings);
+    use_settings();
+    library_.open(options_.level_folders, options_.headless);
+    if (library_.is_ready()) show_cards();
+    screens_.open_title();
+    speaker_.music(sound::Piece::calm);
+}
+
+Theatre::~Theatre() {
+    if (run_) keep_run();
+}
+
+void Theatre::show_cards() {
+    screens_.set_levels(library_.cards(progress_, options_.recordings));
+    for (const std::string& complaint : library_.complaints()) note(complaint);
+    if (library_.levels().empty()) {
+        note("There are no levels: put .glb files into a folder and name it with --levels.");
+        return;
+    }
+    if (!options_.level.empty() && !run_) {
+        screens_.begin_level(options_.level);
+        begin(options_.level, Command::Kind::start);
+    }
+    if (!run_ && !backdrop_) {
+        auto behind = Run::start({.level = library_.levels().front()});
+        if (behind) backdrop_ = std::move(*behind);
+    }
+}
+
+bool Theatre::event(const view::InputEvent& event) {
+    if (view::is_press(event, view::Key::f3)) {
+        shows_volume_ = !shows_volume_;
+        return true;
+    }
+    if (screens_.event(event)) return true;
+    return screens_.is_playing() && controls_.event(event, screens_.settings().bindings);
+}
+
+void Theatre::use_settings() {
+    const GameSettings& settings = screens_.settings();
+    camera_settings_.field_of_view = settings.field_of_view * degree;
+    camera_settings_.reduced_motion = settings.reduced_motion;
+    speaker_.set_volumes({.master = settings.volume, .effects = settings.effects, .music = settings.music});
+    if (!options_.headless && settings.full_screen != display_.is_full_screen())
+        display_.set_full_screen(settings.full_screen);
+}
+
+void Theatre::begin(const std::string& id, Command::Kind how) {
+    const auto level = library_.find(id);
+    if (!level) {
+        note("There is no level '" + id + "'.");
+        screens_.open_title();
+        return;
+    }
+    Run::Plan plan{.level = level, .pilot = options_.pilot};
+    if (how == Command::Kind::race || how == Command::Kind::watch) {
+        auto recording = game::read_recording(best_run_path(options_.recordings, id));
+        if (!recording) {
+            note(recording.error().text);
+        } else if (recording->level_hash != level->hash) {
+            note("The level has changed since that run, so it cannot be played again.");
+        } else if (how == Command::Kind::race) {
+            plan.ghost = std::move(*recording);
+        } else {
+            plan.watched = std::move(*recording);
+        }
+    }
+    auto run = Run::start(std::move(plan));
+    if (!run) {
+        note(run.error().text);
+        screens_.open_title();
+        return;
+    }
+    run_ = std::move(*run);
+    plan_ = plan_of(*level);
+    ortho_.set_picture(plan_->picture);
+    backdrop_.reset();
+    controls_.release();
+    shown_end_ = false;
+    kept_ = false;
+    over_for_ = 0;
+    speaker_.music(level->music == "lively" ? sound::Piece::lively : sound::Piece::calm);
+}
+
+void Theatre::obey(const Command& command) {
+    switch (command.kind) {
+        case Command::Kind::start:
+        case Command::Kind::race:
+        case Command::Kind::watch:
+            if (run_) keep_run();
+            begin(command.level, command.kind);
+            break;
+        case Command::Kind::restart:
+            if (run_) {
+                const std::string id = run_->game().level().id;
+                keep_run();
+                begin(id, run_->is_watched() ? Command::Kind::watch : Command::Kind::start);
+            }
+            break;
+        case Command::Kind::resume:
+            controls_.release();
+            break;
+        case Command::Kind::retry:
+            if (run_) run_->retry();
+            controls_.release();
+            shown_end_ = false;
+            over_for_ = 0;
+            break;
+        case Command::Kind::leave:
+            if (run_) keep_run();
+            run_.reset();
+            speaker_.music(sound::Piece::calm);
+            show_cards();
+            break;
+        case Command::Kind::settings:
+            use_settings();
+            break;
+        case Command::Kind::keep:
+            if (!options_.settings.empty())
+                if (auto kept = write_game_settings(screens_.settings(), options_.settings); !kept)
+                    note(kept.error().text);
+            break;
+        case Command::Kind::quit:
+            quit_ = true;
+            break;
+    }
+}
+
+void Theatre::keep_run() {
+    if (run_->is_watched() || kept_ || run_->game().ticks() == 0) return;
+    kept_ = true;
+    const game::Game& game = run_->game();
+    const bool is_best = progress_.add(game);
+    if (run_->is_piloted()) return;  // what somebody else did is no progress to keep
+    if (!options_.progress.empty())
+        if (auto kept = game::write_progress(options_.progress, progress_); !kept) note(kept.error().text);
+    if (is_best && !options_.recordings.empty())
+        if (auto kept = game::write_recording(best_run_path(options_.recordings, game.level().id), run_->recording());
+            !kept)
+            note(kept.error().text);
+}
+
+void Theatre::end_of_run() {
+    const game::Game& game = run_->game();
+    const game::Level& level = game.level();
+    if (run_->is_watched()) {
+        if (run_->is_at_end()) screens_.show_replay_end();
+        shown_end_ = run_->is_at_end();
+        return;
+    }
+    if (game.outcome() == game::Outcome::won) {
+        WinResult result{.seconds = game.seconds(),
+                         .medal = static_cast<Medal>(level.medal(game.seconds())),
+                         .coins = game.coins(),
+                         .coins_all = level.count(game::PickupKind::coin),
+                         .stars = game.stars(),
+                         .stars_all = level.count(game::PickupKind::star),
+                         .deaths = int(game.deaths())};
+        const auto before = progress_.levels.find(level.id);
+        if (before != progress_.levels.end() && before->second.won) result.best_before = before->second.best_seconds;
+        shown_end_ = true;
+        keep_run();
+        show_cards();
+        screens_.show_win(result);
+    } else {
+        shown_end_ = true;
+        screens_.show_lose(
+            {.why = "The hero " + std::string(sentence(game.cause())) + ".",
+             .section = game.checkpoint() == 0 ? std::string() : level.checkpoints[game.checkpoint()].section,
+             .seconds = game.seconds()});
+    }
+}
+
+void Theatre::tick_run() {
+    Asked asked = controls_.take(screens_.settings(), game::tick_seconds);
+    if (asked.retry && run_->game().outcome() == game::Outcome::playing) run_->retry();
+    run_->tick(asked, camera_settings_);
+    ears_.tick(run_->game(), run_->pose_before(), run_->pose());
+    ears_.listen(run_->camera_at(1));
+    const bool is_over = run_->game().outcome() != game::Outcome::playing || run_->is_at_end();
+    over_for_ = is_over ? over_for_ + game::tick_seconds : 0;
+    const double wait = run_->game().outcome() == game::Outcome::won ? show_win_after : show_lose_after;
+    if (is_over && !shown_end_ && over_for_ >= wait) end_of_run();
+}
+
+void Theatre::tick() {
+    seconds_ += game::tick_seconds;
+    if (library_.update()) show_cards();
+    screens_.set_layout({.framebuffer = display_.framebuffer_size(),
+                         .user_scale = screens_.settings().ui_scale,
+                         .per_window_unit = double(display_.framebuffer_size().y) / display_.size().y});
+    screens_.tick(game::tick_seconds);
+    while (const auto command = screens_.take()) obey(*command);
+    if (std::string notice = speaker_.take_notice(); !notice.empty()) note(notice);
+    const bool plays = run_ != nullptr && screens_.is_playing();
+    speaker_.pause(run_ != nullptr && !screens_.is_playing());
+    if (!options_.headless && display_.is_pointer_captured() != plays) display_.capture_pointer(plays);
+    if (plays) tick_run();
+}
+
+view::Camera Theatre::camera(double blend) const {
+    if (run_) return run_->camera_at(screens_.is_playing() ? blend : 1);
+    if (!backdrop_) return {};
+    // Slowly about where the hero waits.
+    const double angle = seconds_ * 0.12;
+    const dvec3 middle = backdrop_->game().hero().body.position;
+    const dvec3 eye = middle + dvec3{9 * std::sin(angle), 4.5, 9 * std::cos(angle)};
+    const dvec3 way = middle + dvec3{0, 0.8, 0} - eye;
+    const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    return {.eye = eye, .forward = way / length, .field_of_view = camera_settings_.field_of_view};
+}
+
+void Theatre::draw(double blend) {
+    seen_ = camera(blend);
+    const double share = screens_.is_playing() ? blend : 1;
+    if (run_)
+        run_->draw(renderer_, share, shows_volume_);
+    else if (backdrop_)
+        backdrop_->draw(renderer_, share, false);
+}
+
+void Theatre::draw_over(unsigned framebuffer) {
+    letters_.next_frame();
+    canvas_.begin(screens_.layout());
+    const GameSettings& settings = screens_.settings();
+    if (run_ && screens_.is_playing())
+        draw_hud(canvas_, hud_of(*run_, screens_, seen_, display_.size()), plan_ ? &*plan_ : nullptr,
+                 {.colours = settings.colours,
+                  .reduced_motion = settings.reduced_motion,
+                  .timer = settings.timer,
+                  .minimap = settings.minimap});
+    if (!screens_.is_playing()) draw_screens(canvas_, screens_, seconds_);
+    ortho_.draw(canvas_, framebuffer);
+}
+
+std::vector<std::string> Theatre::take_notices() {
+    return std::exchange(notices_, {});
+}
+
+}  // namespace surefoot::platformer

@@ -1,0 +1,101 @@
+/// The platformer as a whole: screens, a run, its picture and its sound. A program or a room hands it events and ticks
+/// and lends it a picture to draw on.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/progress.hpp"
+#include "platformer/hud/hud.hpp"
+#include "platformer/play/ears.hpp"
+#include "platformer/play/library.hpp"
+#include "platformer/play/run.hpp"
+#include "platformer/screens/controls.hpp"
+#include "platformer/screens/screens.hpp"
+#include "platformer/sound/speaker.hpp"
+#include "view/display.hpp"
+#include "view/letters.hpp"
+#include "view/ortho_pass.hpp"
+#include "view/renderer.hpp"
+
+namespace surefoot::platformer {
+
+struct TheatreOptions {
+    std::vector<std::string> level_folders;  ///< where the .glb files are
+    std::string level;                       ///< begins at once, by id; empty: the title
+    std::string settings;                    ///< its file; empty: nothing is kept
+    std::string progress;                    ///< likewise
+    std::string recordings;                  ///< its folder; likewise
+    bool headless = false;                   ///< no device for sound, levels are read at once
+    Pilot pilot{};                           ///< plays instead of the player
+};
+
+/// Where the user's files are; all empty if the environment names no folder.
+[[nodiscard]] TheatreOptions usual_theatre();
+
+class Theatre {
+public:
+    Theatre(view::Display& display, view::Renderer& renderer, TheatreOptions options);
+    ~Theatre();
+
+    /// True if it was of use.
+    bool event(const view::InputEvent& event);
+
+    /// One tick of `game::tick_seconds`.
+    void tick();
+
+    /// `blend` of the way between the last two ticks.
+    [[nodiscard]] view::Camera camera(double blend) const;
+    void draw(double blend);
+    void draw_over(unsigned framebuffer);
+
+    /// The player has had enough.
+    [[nodiscard]] bool wants_quit() const { return quit_; }
+
+    /// What has to be told to the player, once.
+    [[nodiscard]] std::vector<std::string> take_notices();
+
+    [[nodiscard]] const Screens& screens() const { return screens_; }
+    [[nodiscard]] const Run* run() const { return run_.get(); }
+    [[nodiscard]] const Library& library() const { return library_; }
+    [[nodiscard]] const game::Progress& progress() const { return progress_; }
+
+private:
+    void obey(const Command& command);
+    void begin(const std::string& level, Command::Kind how);
+    void end_of_run();
+    void keep_run();
+    void use_settings();
+    void tick_run();
+    void show_cards();
+    void note(const std::string& text) { notices_.push_back(text); }
+
+    view::Display& display_;
+    view::Renderer& renderer_;
+    TheatreOptions options_;
+    Library library_;
+    game::Progress progress_;
+    Screens screens_;
+    Controls controls_;
+    sound::Speaker speaker_;
+    Ears ears_;
+    std::unique_ptr<Run> run_;
+    std::unique_ptr<Run> backdrop_;  // behind the title: nobody plays it
+    CameraSettings camera_settings_{};
+    view::Letters letters_;
+    view::Canvas canvas_;
+    view::OrthoPass ortho_;
+    std::optional<Plan> plan_;  // of the level that is played
+    view::Camera seen_{};       // from where the last frame was
+    std::vector<std::string> notices_;
+    double seconds_ = 0;
+    double over_for_ = 0;     // since the run was won or lost [s]
+    bool shown_end_ = false;  // of the run: the screen that says so was opened
+    bool kept_ = false;       // it is in the progress
+    bool shows_volume_ = false;
+    bool quit_ = false;
+};
+
+}  // namespace surefoot::platformer

@@ -1,0 +1,239 @@
+// What stands on each of the screens.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "platformer/screens/screens.hpp"
+#include "platformer/screens/settings_rows.hpp"
+
+namespace surefoot::platformer {
+namespace {
+
+using Kind = Entry::Kind;
+
+/// Fills a menu from above to below.
+class Writer {
+public:
+    explicit Writer(Menu& menu) : menu_(menu) {}
+
+    Entry& button(std::string label, Act act, bool enabled = true, std::string hint = {}) {
+        return add({.label = std::move(label), .hint = std::move(hint), .act = act, .enabled = enabled});
+    }
+    void heading(std::string label) { add({.kind = Kind::heading, .label = std::move(label)}); }
+    void text(std::string label, std::string value = {}) {
+        add({.kind = Kind::text, .label = std::move(label), .value = std::move(value)});
+    }
+    Entry& add(Entry entry, int column = 0) {
+        if (column == 0) ++row_;
+        entry.row = row_;
+        entry.column = column;
+        menu_.entries.push_back(std::move(entry));
+        return menu_.entries.back();
+    }
+
+private:
+    Menu& menu_;
+    int row_ = -1;
+};
+
+void write_bindings(Writer& to, const Bindings& bindings) {
+    for (std::size_t i = 0; i < action_count; ++i) {
+        const auto action = static_cast<Action>(i);
+        for (std::size_t place = 0; place < Bindings::places; ++place)
+            to.add({.kind = Kind::binding,
+                    .label = std::string(label_of(action)),
+                    .value = name_of(bindings[action][place]),
+                    .hint = place < 2 ? "Choose, then press a key or a mouse button. Delete empties it."
+                                      : "Choose, then press a button of the gamepad. X empties it.",
+                    .act = Act::bind,
+                    .index = i,
+                    .place = place},
+                   static_cast<int>(place));
+    }
+    to.button("As they were in the beginning", Act::reset_bindings);
+    to.button("Back", Act::back);
+}
+
+void write_help(Writer& to, const Bindings& bindings, Device device) {
+    const auto key = [&](Action action) { return name_of(bindings.first(action, device)); };
+    const bool pad = device == Device::gamepad;
+    to.text("Run",
+            pad ? "Left stick"
+                : key(Action::forward) + " " + key(Action::left) + " " + key(Action::back) + " " + key(Action::right));
+    to.text("Look around", pad ? "Right stick" : "Mouse");
+    to.text("Jump; once more in the air", key(Action::jump));
+    to.text("Jump off a wall that you slide down", key(Action::jump));
+    to.text("Climb a ledge that you hang from", pad ? "Left stick up" : key(Action::forward));
+    to.text("Dash, on the ground or in the air", key(Action::dash));
+    to.text("Crouch; slide when running; dive", key(Action::crouch));
+    to.text("Back to the last checkpoint", key(Action::retry));
+    to.text("Pause", key(Action::pause));
+    to.text("Enemies", "Jump on them, or keep away");
+    to.button("Change the keys", Act::bindings);
+    to.button("Back", Act::back);
+}
+
+std::string level_name(const LevelCard& card) {
+    return card.locked && card.secret ? "?" : card.title;
+}
+
+}  // namespace
+
+std::string time_text(double seconds) {
+    const auto hundredths = static_cast<long long>(std::clamp(seconds, 0.0, 1e6) * 100 + 0.5);
+    return fmt::format("{}:{:02}.{:02}", hundredths / 6000, hundredths / 100 % 60, hundredths % 100);
+}
+
+std::string_view label_of(Medal medal) {
+    switch (medal) {
+        case Medal::bronze:
+            return "Bronze";
+        case Medal::silver:
+            return "Silver";
+        case Medal::gold:
+            return "Gold";
+        case Medal::none:
+            break;
+    }
+    return "No medal";
+}
+
+Menu Screens::menu() const {
+    Menu menu{.id = top()};
+    Writer to(menu);
+    const LevelCard* const card = level_ < levels_.size() ? &levels_[level_] : nullptr;
+    const bool has_ghost = card != nullptr && card->has_recording;
+    const std::string why_no_ghost = has_ghost ? "" : "Win this level first: the best run is kept.";
+    switch (menu.id) {
+        case ScreenId::title: {
+            menu.title = "Surefoot";
+            menu.subtitle = "The ground under your feet";
+            const std::size_t next = next_to_play();
+            if (next < levels_.size()) {
+                const bool begun = std::any_of(levels_.begin(), levels_.end(), [](const auto& l) { return l.best; });
+                to.button((begun ? "Continue: " : "Play: ") + levels_[next].title, Act::go_on);
+            } else {
+                to.button("Play", Act::go_on, false, "No levels were found.");
+            }
+            to.button("Levels", Act::levels);
+            to.button("Options", Act::options);
+            to.button("How to play", Act::help);
+            to.button("Credits", Act::credits);
+            to.button("Quit", Act::ask_quit);
+            break;
+        }
+        case ScreenId::levels: {
+            menu.title = "Levels";
+            int stars = 0;
+            for (const LevelCard& level : levels_) stars += level.stars;
+            menu.subtitle = levels_.empty() ? "No levels were found." : fmt::format("{} stars", stars);
+            menu.columns = layout_.size().x < 700 ? 2 : 3;
+            for (std::size_t i = 0; i < levels_.size(); ++i) {
+                const LevelCard& level = levels_[i];
+                to.add({.kind = Kind::card,
+                        .label = level_name(level),
+                        .hint = level.locked ? level.locked_why : level.idea,
+                        .act = Act::open_level,
+                        .index = i,
+                        .enabled = !level.locked},
+                       static_cast<int>(i) % menu.columns);
+            }
+            to.button("Back", Act::back);
+            break;
+        }
+        case ScreenId::level:
+            menu.title = card != nullptr ? card->title : "";
+            menu.subtitle = card != nullptr ? card->idea : "";
+            to.button("Play", Act::start);
+            to.button("Race the ghost of the best run", Act::race, has_ghost, why_no_ghost);
+            to.button("Watch the best run", Act::watch, has_ghost, why_no_ghost);
+            to.button("Back", Act::back);
+            break;
+        case ScreenId::options: {
+            menu.title = "Options";
+            to.button("Keys and buttons", Act::bindings);
+            const auto rows = setting_rows();
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                if (!rows[i].heading.empty()) to.heading(std::string(rows[i].heading));
+                Entry entry = entry_of(rows[i], settings_);
+                entry.index = i;
+                to.add(std::move(entry));
+            }
+            to.button("As it was in the beginning", Act::reset_settings, true, "Everything on this page.");
+            to.button("Back", Act::back);
+            break;
+        }
+        case ScreenId::bindings:
+            menu.title = "Keys and buttons";
+            menu.subtitle = "Escape and Start always pause";
+            menu.columns = static_cast<int>(Bindings::places);
+            write_bindings(to, settings_.bindings);
+            break;
+        case ScreenId::help:
+            menu.title = "How to play";
+            menu.subtitle = "Reach the flag. Coins, stars and speed are for glory.";
+            write_help(to, settings_.bindings, device_);
+            break;
+        case ScreenId::credits:
+            menu.title = "Credits";
+            to.text("Surefoot", "exact sweeps for player movement");
+            to.text("Levels, sounds and music", "made by scripts that come with them");
+            to.text("Path finding", "Recast and Detour");
+            to.text("Windows and letters", "GLFW, stb, DejaVu");
+            to.text("Licence and notices", "LICENSE, NOTICE");
+            to.button("Back", Act::back);
+            break;
+        case ScreenId::pause:
+            menu.title = "Pause";
+            menu.subtitle = card != nullptr ? card->title : "";
+            to.button("Go on", Act::resume);
+            if (!watching_) to.button("Back to the last checkpoint", Act::retry);
+            to.button("From the beginning", Act::restart);
+            to.button("Options", Act::options);
+            if (!watching_) to.button("How to play", Act::help);
+            to.button("Back to the levels", Act::leave);
+            break;
+        case ScreenId::win: {
+            menu.title = "You made it!";
+            menu.subtitle = card != nullptr ? card->title : "";
+            const std::size_t next = level_ + 1;
+            if (next < levels_.size() && !levels_[next].locked) to.button("Next: " + levels_[next].title, Act::next);
+            to.button("Once more", Act::restart);
+            to.button("Race the ghost of the best run", Act::race, has_ghost, why_no_ghost);
+            to.button("Watch the best run", Act::watch, has_ghost, why_no_ghost);
+            to.button("Back to the levels", Act::leave);
+            break;
+        }
+        case ScreenId::lose:
+            menu.title = "Not this time";
+            menu.subtitle = lose_.why;
+            to.button(lose_.section.empty() ? "Try again" : "Try again from " + lose_.section, Act::retry);
+            to.button("From the beginning", Act::restart);
+            to.button("Back to the levels", Act::leave);
+            break;
+        case ScreenId::replay_end:
+            menu.title = "That was the best run";
+            menu.subtitle = card != nullptr ? card->title : "";
+            to.button("Watch it again", Act::restart);
+            to.button("Race its ghost", Act::race, has_ghost, why_no_ghost);
+            to.button("Back to the levels", Act::leave);
+            break;
+        case ScreenId::quit:
+            menu.title = "Leave the game?";
+            to.button("Stay", Act::back);
+            to.button("Leave", Act::quit);
+            break;
+        case ScreenId::count:
+            break;
+    }
+    return menu;
+}
+
+std::size_t Screens::next_to_play() const {
+    const auto open = [](const LevelCard& level) { return !level.locked && !level.best; };
+    const auto next = std::find_if(levels_.begin(), levels_.end(), open);
+    if (next != levels_.end()) return static_cast<std::size_t>(next - levels_.begin());
+    const auto any = std::find_if(levels_.begin(), levels_.end(), [](const LevelCard& level) { return !level.locked; });
+    return static_cast<std::size_t>(any - levels_.begin());
+}
+
+}  // namespace surefoot::platformer
