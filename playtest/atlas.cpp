@@ -16,7 +16,7 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 3;     // of what is kept, and of what it is made with
+constexpr std::uint64_t atlas_version = 5;     // of what is kept, and of what it is made with
 constexpr Section leaps_section{.owner = "playtest", .name = "leaps"};
 constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
 constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]

@@ -67,10 +67,15 @@ Intent Hop::tick(const game::Hero& hero, const dvec3& feet, const CharacterSetti
         intent.jump = true;
         return intent;
     }
-    if (intent.jump) return intent;
+    if (intent.jump) {
+        released_ = 0;
+        return intent;
+    }
     held_ = 0;
+    ++released_;
     const bool short_of_it = squared <= 0 || needed > 0.97 * game::run_speed;
-    if (air_jumps_ < style_.air_jumps && body.air_jumps_left > 0 && short_of_it) {
+    // A press is none before the button was let go.
+    if (air_jumps_ < style_.air_jumps && body.air_jumps_left > 0 && short_of_it && released_ > 2) {
         const double after = std::sqrt(2 * gravity * settings.jump_height);
         const double fall_left = after * after - 2 * gravity * above;
         const double time_after = fall_left > 0 ? (after + std::sqrt(fall_left)) / gravity : 0;

@@ -41,6 +41,7 @@ private:
     int ticks_ = 0;
     int held_ = 0;         ///< 1: the button is held while it rises
     int presses_for_ = 0;  ///< ticks
+    int released_ = 0;     ///< for so many ticks
     int air_jumps_ = 0;
     bool jumped_ = false;
     bool left_ground_ = false;

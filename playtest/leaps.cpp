@@ -26,7 +26,15 @@ std::vector<Leap> Passages::find_leaps(Foresight& foresight) const {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Candidate>> found;
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> linked;
     for (const LinkEnds& link : links_) linked[{link.from_island, link.to_island}] = true;
-    for (const Border& from : borders_)
+    // Up through boards that let one pass from below: from right under them.
+    std::vector<Border> begins = borders_;
+    for (const Border& to : borders_) {
+        const auto floor = atlas_->ground().ray({to.place + dvec3{0, 0.3, 0}, to.place - dvec3{0, 0.5, 0}});
+        if (!floor || !is_one_way(floor->surface)) continue;
+        const auto below = query_->under(to.place - dvec3{0, 0.5, 0}, 3.5, 0);
+        if (below) begins.push_back({below->position, island_of(below->polygon)});
+    }
+    for (const Border& from : begins)
         for (const Border& to : borders_) {
             if (from.island == to.island) continue;
             const dvec3 way = to.place - from.place;

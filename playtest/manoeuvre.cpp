@@ -1,6 +1,7 @@
 #include "playtest/manoeuvre.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "playtest/vectors.hpp"
 
@@ -13,7 +14,7 @@ Intent Manoeuvring::tick(const game::Hero& hero, const dvec3& feet, const World&
     intent.move = unit(way) * std::min(1.0, 0.2 + length(way));
     switch (how_) {
         case game::Manoeuvre::swim:
-            return swim(hero, feet);
+            return swim(hero, feet, world);
         case game::Manoeuvre::climb:
             return climb(hero, feet);
         case game::Manoeuvre::wall_jump:
@@ -29,7 +30,8 @@ Intent Manoeuvring::tick(const game::Hero& hero, const dvec3& feet, const World&
     return intent;
 }
 
-Intent Manoeuvring::swim(const game::Hero& hero, const dvec3& feet) {
+// Straight there; where something is in the way, at the height, above or below, at which nothing is.
+Intent Manoeuvring::swim(const game::Hero& hero, const dvec3& feet, const World& world) {
     const dvec3 way = flat(to_ - feet);
     Intent intent;
     intent.move = unit(way) * std::min(1.0, 0.2 + length(way));
@@ -38,7 +40,23 @@ Intent Manoeuvring::swim(const game::Hero& hero, const dvec3& feet) {
         intent.jump = hero.body.footing != Footing::ground && hero.body.velocity.y > 0;
         return intent;
     }
-    const double above = to_.y - feet.y;
+    double above = to_.y - feet.y;
+    if (length(way) > 2) {
+        const dvec3 ahead = unit(way) * std::min(4.0, length(way));
+        for (const double height : {0.0, -0.7, 0.7, -1.4, 1.4, -2.1, 2.1, -2.8, 2.8, -3.5, 3.5, -4.2, -4.9}) {
+            const dvec3 from = hero.body.position + dvec3{0, height, 0};
+            const bool free_here = !world.ray_any({hero.body.position, from}, {.begin = 1, .end = 1});
+            const Motion motion{from, from + ahead};
+            if (!free_here || world.sweep_any(Sphere{0.5}, motion, {.begin = 1, .end = 1})) continue;
+            if (std::abs(height) > 0.5) {
+                above = height;
+                intent.move = intent.move * 0.3;
+            } else if (length(way) > 4) {
+                above = -0.2;  // as it is
+            }
+            break;
+        }
+    }
     intent.crouch = above < -0.4;
     // Up: held; at the surface let go now and then, since a leap is a press.
     if (above > -0.1) {

@@ -17,7 +17,7 @@ public:
     [[nodiscard]] double seconds() const { return ticks_ * game::tick_seconds; }
 
 private:
-    [[nodiscard]] Intent swim(const game::Hero& hero, const dvec3& feet);
+    [[nodiscard]] Intent swim(const game::Hero& hero, const dvec3& feet, const World& world);
     [[nodiscard]] Intent climb(const game::Hero& hero, const dvec3& feet);
     [[nodiscard]] Intent wall_jump(const game::Hero& hero, const dvec3& feet, const World& world);
 

@@ -11,7 +11,8 @@ namespace surefoot::playtest {
 namespace {
 
 constexpr int failures_until_banned = 4;
-constexpr int reaction = 9;  // ticks
+constexpr int reaction = 9;        // ticks
+constexpr int between_plans = 20;  // that found no way [ticks]
 
 }  // namespace
 
@@ -74,8 +75,14 @@ std::string Navigator::why_unreachable(Passages& passages) const {
         }
         if (changed) continue;
         if (!goal) return "goal unreachable: there is no ground to stand on near the goal";
-        return "goal unreachable: no way leads there from the spawn, neither on foot, by links or jumps, nor on anything "
-               "that moves";
+        std::string last = level.checkpoints.front().section;
+        for (const game::Checkpoint& checkpoint : level.checkpoints)
+            if (const auto at = passages.stand_at(checkpoint.feet, 2, 2); at && passages.route(*begin, *at))
+                last = checkpoint.section;
+        return fmt::format(
+            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything that "
+            "moves; the last section within reach is {}",
+            last);
     }
 }
 
@@ -161,22 +168,28 @@ std::optional<Stand> Navigator::here(const game::Game& game) const {
     } else if (!hero.in_water) {
         return std::nullopt;
     }
-    return passages_.stand_at(game.feet(), 0.8, hero.in_water ? 3 : 1.2);
+    if (hero.in_water)
+        if (const auto water = passages_.water_at(hero.body.position)) return water;
+    return passages_.stand_at(game.feet(), 0.8, 1.2);
 }
 
 void Navigator::think(const game::Game& game) {
+    if (think_in_ > 0) {
+        --think_in_;
+        return;
+    }
     const auto from = here(game);
     if (!from) return;
-    lost_for_ = 0;
     if (!choose_target(game, *from)) {
+        think_in_ = between_plans;
         if (!banned_.empty()) {  // better once more over what failed than not at all
             banned_.clear();
             failures_.clear();
         }
         return;
     }
+    lost_for_ = 0;
     step_ = 0;
-    ++plans_;
     next_step(game);
 }
 
@@ -231,6 +244,8 @@ void Navigator::fail(const game::Game&) {
 
 // Where there is no ground that it knows: to the nearest, and with a jump if that does not help.
 Intent Navigator::find_back(const game::Game& game) {
+    const bool in_air = game.hero().body.footing == Footing::air || game.hero().body.footing == Footing::ledge;
+    if (in_air && !game.hero().in_water) return save_oneself(game);
     Intent intent;
     if (++lost_for_ < 20) return intent;
     const auto near = passages_.query().nearest(game.feet(), 6, 6);

@@ -56,11 +56,14 @@ private:
     [[nodiscard]] Intent hop(const game::Game& game);
     [[nodiscard]] Intent manoeuvre(const game::Game& game);
     [[nodiscard]] Intent find_back(const game::Game& game);
+    [[nodiscard]] Intent save_oneself(const game::Game& game);
     void dodge(const game::Game& game, Intent& intent);
     void fail(const game::Game& game);
     void try_to_hop(const game::Game& game);
     void avoid_what_comes(const game::Game& game, std::uint32_t body);
     [[nodiscard]] bool goes_well(const game::Game& game, const HopStyle& style, const Stand& to);
+    [[nodiscard]] bool is_on(const game::Hero& hero, const dvec3& feet, const Stand& to) const;
+    [[nodiscard]] std::span<const dvec3> spots_of(const Stand& stand) const;
     [[nodiscard]] HopAim aim_of(const Stand& to, const dvec3& feet) const;
 
     std::shared_ptr<const Atlas> atlas_;
@@ -91,10 +94,11 @@ private:
     int stands_for_ = 0;    ///< ticks on what it hopped to
     int style_turn_ = 0;
     int jump_for_ = 0;      ///< over an enemy [ticks]
+    int save_for_ = 0;      ///< a jump in the air [ticks]
+    int think_in_ = 0;      ///< ticks until it plans again
     int lost_for_ = 0;      ///< ticks without ground of the mesh
     double best_left_ = 1e300;
     double since_better_ = 0;
-    std::uint32_t plans_ = 0;
 };
 
 }  // namespace surefoot::playtest

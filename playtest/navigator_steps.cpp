@@ -14,7 +14,11 @@ constexpr int between_tries = 6;        // ticks
 constexpr int longest_wait = 60 * 30;   // ticks
 constexpr int longest_hop = 60 * 4;     // ticks
 constexpr double longest_manoeuvre = 25;  // s
-constexpr int hops_kept = 4;            // styles that are rehearsed at a time
+constexpr int hops_kept = 4;              // styles that are rehearsed at a time
+
+bool holds_crouch(game::Manoeuvre how) {
+    return how == game::Manoeuvre::crouch;
+}
 
 }  // namespace
 
@@ -123,7 +127,7 @@ Intent Navigator::wait(const game::Game& game) {
     }
     if (hero.body.footing != Footing::ground) {
         if (waited_ % 120 == 119) phase_ = Phase::thinks;
-        return {};
+        return save_oneself(game);
     }
     const std::size_t on = foresight_->body_of(hero.body.ground_body);
     if (passage.from.body != on_ground ? on != passage.from.body : on < atlas_->level().bodies.size()) {
@@ -149,15 +153,55 @@ Intent Navigator::wait(const game::Game& game) {
     return phase_ == Phase::waits ? intent : hop(game);
 }
 
+// In the air, and nobody meant to be: back to where there is something to stand on, with the jump that is left.
+Intent Navigator::save_oneself(const game::Game& game) {
+    Intent intent;
+    const CharacterState& body = game.hero().body;
+    if (body.hold != Hold::none) {
+        intent.move = unit(flat(body.wall_normal)) * -1.0;
+        return intent;
+    }
+    dvec3 nearest = game.feet();
+    double least = 1e300;
+    const auto offer = [&](const dvec3& place) {
+        if (place.y > game.feet().y + 2 || length(place - game.feet()) >= least) return;
+        least = length(place - game.feet());
+        nearest = place;
+    };
+    if (const auto near = passages_.query().nearest(game.feet(), 4, 6)) offer(near->position);
+    for (const game::MovingBody& moving : game.bodies()) {
+        if (!moving.is_there || length(moving.now.position - game.feet()) > 15) continue;
+        for (const dvec3& spot : passages_.spots(moving.plan)) offer(to_world(moving.now, spot));
+    }
+    const dvec3 way = flat(nearest - game.feet());
+    intent.move = unit(way) * std::min(1.0, 2 * length(way));
+    const bool below = game.feet().y < nearest.y + 0.3;
+    if (body.velocity.y < -2 && body.air_jumps_left > 0 && (below || length(way) > 1)) save_for_ = 16;
+    if (save_for_ > 0) {
+        --save_for_;
+        intent.jump = true;
+    }
+    return intent;
+}
+
+std::span<const dvec3> Navigator::spots_of(const Stand& stand) const {
+    return stand.body < atlas_->level().bodies.size() ? passages_.spots(stand.body) : std::span<const dvec3>{};
+}
+
 HopAim Navigator::aim_of(const Stand& to, const dvec3& feet) const {
-    return aim_at(*foresight_, to.body == on_ground ? std::span<const dvec3>{} : passages_.spots(to.body), to, feet);
+    return aim_at(*foresight_, spots_of(to), to, feet);
+}
+
+bool Navigator::is_on(const game::Hero& hero, const dvec3& feet, const Stand& to) const {
+    return stands_on(*foresight_, spots_of(to), hero, feet,
+                     to);
 }
 
 bool Navigator::goes_well(const game::Game& game, const HopStyle& style, const Stand& to) {
     const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
     return rehearse(
         *foresight_, [&] { foresight_->look(game); }, game.settings(),
-        to.body == on_ground ? std::span<const dvec3>{} : passages_.spots(to.body), style, to, throws);
+        spots_of(to), style, to, throws);
 }
 
 void Navigator::try_to_hop(const game::Game& game) {
@@ -217,7 +261,7 @@ void Navigator::avoid_what_comes(const game::Game& game, std::uint32_t body) {
 Intent Navigator::hop(const game::Game& game) {
     foresight_->look(game);
     const game::Hero& hero = game.hero();
-    const bool there = stands_on(*foresight_, hero, game.feet(), hop_to_);
+    const bool there = is_on(hero, game.feet(), hop_to_);
     const bool throws = hop_to_.body != on_ground && atlas_->level().bodies[hop_to_.body].kind == game::BodyKind::bounce;
     const bool same = hop_to_.body != on_ground && step_ < plan_.size() && passages_.all()[plan_[step_]].from.body == hop_to_.body;
     stands_for_ = there && (!same || hop_.is_under_way()) ? stands_for_ + 1 : 0;
@@ -244,12 +288,22 @@ Intent Navigator::hop(const game::Game& game) {
 Intent Navigator::manoeuvre(const game::Game& game) {
     const Passage& passage = passages_.all()[plan_[step_]];
     const game::Hero& hero = game.hero();
-    if (stands_on(*foresight_, hero, game.feet(), passage.to) && hero.body.form == CharacterForm::standing) {
-        ++step_;
-        next_step(game);
-        return {};
+    const bool standing = hero.body.form == CharacterForm::standing;
+    if (is_on(hero, game.feet(), passage.to)) {
+        // Out from under the roof first, then up.
+        if (standing && !holds_crouch(passage.manoeuvre)) {
+            ++step_;
+            next_step(game);
+            return {};
+        }
+        if (flat_length(passage.to.place - game.feet()) < 0.4) {
+            if (standing && ++stands_for_ > 3) {
+                ++step_;
+                next_step(game);
+            }
+            return {};
+        }
     }
-    if (stands_on(*foresight_, hero, game.feet(), passage.to)) return {};  // stands up first
     if (manoeuvring_.seconds() > longest_manoeuvre) {
         fail(game);
         return {};

@@ -55,6 +55,7 @@ Expected<Passages> Passages::make(const Atlas& atlas) {
     made.find_rides();
     made.find_transfers();
     made.find_ways();
+    made.find_banks();
     made.add_leaps();
     return made;
 }
@@ -166,14 +167,23 @@ void Passages::find_spots() {
     }
 }
 
+bool Passages::is_one_way(std::uint32_t surface) const {
+    const std::vector<SurfaceRule>& rules = atlas_->level().rules;
+    return surface < rules.size() && rules[surface].one_way;
+}
+
 bool Passages::is_walled(const dvec3& from, const dvec3& to) const {
+    const auto is_solid = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) { return !is_one_way(surface); };
+    const auto is_blocked = [&](const dvec3& a, const dvec3& b) {
+        return atlas_->ground().ray_any({a, b}, {.triangles = is_solid});
+    };
     for (const double lift : {0.9, 2.2, 3.4}) {
         const dvec3 up{0, lift, 0};
         const double over = std::max(from.y, to.y);
         const dvec3 a{from.x, lift < 1 ? from.y : over, from.z};
         const dvec3 b{to.x, lift < 1 ? to.y : over, to.z};
-        if (!atlas_->ground().ray_any({a + up, b + up}) && !atlas_->ground().ray_any({from + dvec3{0, 0.9, 0}, a + up}) &&
-            !atlas_->ground().ray_any({b + up, to + dvec3{0, 0.9, 0}}))
+        if (!is_blocked(a + up, b + up) && !is_blocked(from + dvec3{0, 0.9, 0}, a + up) &&
+            !is_blocked(b + up, to + dvec3{0, 0.9, 0}))
             return false;
     }
     return true;

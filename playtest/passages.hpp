@@ -53,6 +53,10 @@ public:
     [[nodiscard]] std::optional<Itinerary> route(const Stand& from, const Stand& to,
                                              std::span<const std::uint32_t> without = {}) const;
 
+    /// Who swims stands on nothing; each water of the level has a number behind those of the bodies.
+    [[nodiscard]] std::uint32_t water_number(std::size_t water) const;
+    [[nodiscard]] std::optional<Stand> water_at(const dvec3& middle) const;
+
     /// Places of a body's mesh where feet can stand, relative to its origin.
     [[nodiscard]] std::span<const dvec3> spots(std::size_t body) const { return spots_[body]; }
 
@@ -77,8 +81,10 @@ private:
     void find_rides_of(std::size_t body);
     void find_transfers();
     void find_ways();
+    void find_banks();
     void add_leaps();
     [[nodiscard]] std::vector<Border> beside_body(const std::vector<dvec3>& rims, const dvec3& middle) const;
+    [[nodiscard]] bool is_one_way(std::uint32_t surface) const;
     [[nodiscard]] bool is_walled(const dvec3& from, const dvec3& to) const;
     [[nodiscard]] std::uint32_t island_of(NavigationPolygon polygon) const;
 

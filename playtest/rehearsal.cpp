@@ -29,10 +29,14 @@ HopAim aim_at(const Foresight& foresight, std::span<const dvec3> spots, const St
     return {.place = place, .velocity = foresight.velocity(to.body, place)};
 }
 
-bool stands_on(const Foresight& foresight, const game::Hero& hero, const dvec3& feet, const Stand& to) {
+bool stands_on(const Foresight& foresight, std::span<const dvec3> spots, const game::Hero& hero, const dvec3& feet, const Stand& to) {
+    if (to.body != on_ground && to.body >= foresight.body_count()) return hero.in_water;
     if (hero.body.footing != Footing::ground) return false;
     const std::size_t body = foresight.body_of(hero.body.ground_body);
-    if (to.body != on_ground) return body == to.body;
+    if (to.body != on_ground) {
+        // On its top, and not on a rim below it.
+        return body == to.body && (spots.empty() || feet.y > aim_at(foresight, spots, to, feet).place.y - 0.3);
+    }
     return body >= foresight.body_count() && flat_length(feet - to.place) < 1.5 && std::abs(feet.y - to.place.y) < 1.2;
 }
 
@@ -50,7 +54,7 @@ bool rehearse(Foresight& foresight, const std::function<void()>& reset, const Ch
             const Intent intent = trial.tick(foresight.hero(), foresight.feet(), settings,
                                              foresight.world(), aim_at(foresight, spots, to, foresight.feet()));
             if (!foresight.tick(hands.act(intent))) return false;
-            const bool there = stands_on(foresight, foresight.hero(), foresight.feet(), to);
+            const bool there = stands_on(foresight, spots, foresight.hero(), foresight.feet(), to);
             if (there && throws) return true;
             // Whoever never left the ground it stood on has not got anywhere yet.
             stood = there && (trial.is_under_way() || to.body != on_ground || i > 10) ? stood + 1 : 0;

@@ -15,7 +15,8 @@ namespace surefoot::playtest {
 [[nodiscard]] HopAim aim_at(const Foresight& foresight, std::span<const dvec3> spots, const Stand& to,
                             const dvec3& feet);
 
-[[nodiscard]] bool stands_on(const Foresight& foresight, const game::Hero& hero, const dvec3& feet, const Stand& to);
+[[nodiscard]] bool stands_on(const Foresight& foresight, std::span<const dvec3> spots, const game::Hero& hero,
+                             const dvec3& feet, const Stand& to);
 
 /// Does the hop end on its feet where it should, however late the hands are? `reset` puts foresight to where it begins.
 /// `throws`: to touch what is aimed at is enough.

@@ -14,9 +14,9 @@ namespace surefoot::playtest {
 
 /// Before it begins. Nobody's name is needed: a letter will do.
 struct StartForm {
-    std::string player;
-    std::string plays_games;  ///< "never", "sometimes", "often"
-    std::string device;       ///< "keyboard", "mouse", "gamepad"
+    std::string player{};
+    std::string plays_games{};  ///< "never", "sometimes", "often"
+    std::string device{};       ///< "keyboard", "mouse", "gamepad"
     bool played_before = false;
 };
 
@@ -32,9 +32,9 @@ struct Questionnaire {
     int difficulty = 0;  ///< 1 too easy, 3 right, 5 too hard
     int control = 0;     ///< 1 "it does not do what I want" to 5 "as if by itself"
     bool would_go_on = false;
-    std::string lost_at;  ///< where they did not know where to go
-    std::string best;
-    std::string worst;
+    std::string lost_at{};  ///< where they did not know where to go
+    std::string best{};
+    std::string worst{};
 };
 
 struct Session {
