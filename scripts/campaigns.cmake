@@ -28,3 +28,12 @@ set_tests_properties(campaign.fuzz PROPERTIES TIMEOUT 86400)
 
 add_test(campaign.clang_tidy "${root}/scripts/tidy.sh")
 set_tests_properties(campaign.clang_tidy PROPERTIES TIMEOUT 86400)
+
+# Hours of play in every level of the platformer: nobody stuck, out of it, or nowhere, and whoever knows the way finishes.
+set(hours "$ENV{SUREFOOT_PLAYTEST_HOURS}")
+if(NOT hours)
+  set(hours 2)
+endif()
+add_test(campaign.playtest "${root}/build/release/tools/surefoot" playtest "${root}/levels/platformer" --bots 8
+  --hours ${hours} --report "${root}/out/playtest.html")
+set_tests_properties(campaign.playtest PROPERTIES TIMEOUT 86400)

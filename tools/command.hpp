@@ -42,6 +42,7 @@ void add_replay(CLI::App& program, Run& run);
 void add_course(CLI::App& program, Run& run);
 void add_nav(CLI::App& program, Run& run);
 void add_navcheck(CLI::App& program, Run& run);
+void add_playtest(CLI::App& program, Run& run);
 
 /// The part of the help that is the same for every subcommand.
 [[nodiscard]] std::string help_footer(std::string_view examples);

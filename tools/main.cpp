@@ -46,7 +46,7 @@ int run_program(int argc, char** argv) {
         "Exit codes: 0 answered (a hit or none), 1 failures found, 2 wrong usage, 3 a file cannot be read or written.");
     Run run;
     for (const auto add : {add_sweep, add_overlap, add_ray, add_march, add_info, add_cook, add_export, add_tour,
-                           add_prove, add_bench, add_replay, add_course, add_nav, add_navcheck})
+                           add_prove, add_bench, add_replay, add_course, add_nav, add_navcheck, add_playtest})
         add(program, run);
     try {
         program.parse(argc, argv);

@@ -1,4 +1,4 @@
-// `surefoot nav` and `navcheck` of a program that was built without surefoot::navigation: they say so.
+// `surefoot nav`, `navcheck` and `playtest` of a program that was built without surefoot::navigation: they say so.
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -26,6 +26,9 @@ void add_nav(CLI::App& program, Run& run) {
 }
 void add_navcheck(CLI::App& program, Run& run) {
     add_left_out(program, run, "navcheck");
+}
+void add_playtest(CLI::App& program, Run& run) {
+    add_left_out(program, run, "playtest");
 }
 
 }  // namespace surefoot::tools

@@ -63,8 +63,14 @@ public:
         return level->bodies.back();
     }
 
-    [[nodiscard]] std::unique_ptr<game::Game> start() {
+    /// As it is played; nothing is added to it any more.
+    [[nodiscard]] std::shared_ptr<const game::Level> finish() {
         level->ground = Mesh::build({.vertices = vertices_, .indices = indices_, .surfaces = surfaces_}).value();
+        return level;
+    }
+
+    [[nodiscard]] std::unique_ptr<game::Game> start() {
+        (void)finish();
         auto game = game::Game::start(level);
         EXPECT_TRUE(game) << game.error().text;
         return std::move(*game);

@@ -1,0 +1,135 @@
+#include "playtest/manoeuvre.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "playtest/vectors.hpp"
+
+namespace surefoot::playtest {
+
+Intent Manoeuvring::tick(const game::Hero& hero, const dvec3& feet, const World& world) {
+    ++ticks_;
+    const dvec3 way = flat(to_ - feet);
+    Intent intent;
+    intent.move = unit(way) * std::min(1.0, 0.2 + length(way));
+    switch (how_) {
+        case game::Manoeuvre::swim:
+            return swim(hero, feet, world);
+        case game::Manoeuvre::climb:
+            return climb(hero, feet);
+        case game::Manoeuvre::wall_jump:
+            return wall_jump(hero, feet, world);
+        case game::Manoeuvre::crouch:
+            intent.crouch = true;
+            break;
+        case game::Manoeuvre::ride:
+        case game::Manoeuvre::dash:
+        case game::Manoeuvre::bounce:
+            break;
+    }
+    return intent;
+}
+
+// Straight there; where something is in the way, at the height, above or below, at which nothing is.
+Intent Manoeuvring::swim(const game::Hero& hero, const dvec3& feet, const World& world) {
+    const dvec3 way = flat(to_ - feet);
+    Intent intent;
+    intent.move = unit(way) * std::min(1.0, 0.2 + length(way));
+    if (!hero.in_water) {
+        // Out of it at last, on to the bank; or not in it yet.
+        intent.jump = hero.body.footing != Footing::ground && hero.body.velocity.y > 0;
+        return intent;
+    }
+    double above = to_.y - feet.y;
+    if (length(way) > 2) {
+        const dvec3 ahead = unit(way) * std::min(4.0, length(way));
+        for (const double height : {0.0, -0.7, 0.7, -1.4, 1.4, -2.1, 2.1, -2.8, 2.8, -3.5, 3.5, -4.2, -4.9}) {
+            const dvec3 from = hero.body.position + dvec3{0, height, 0};
+            const bool free_here = !world.ray_any({hero.body.position, from}, {.begin = 1, .end = 1});
+            const Motion motion{from, from + ahead};
+            if (!free_here || world.sweep_any(Sphere{0.5}, motion, {.begin = 1, .end = 1})) continue;
+            if (std::abs(height) > 0.5) {
+                above = height;
+                intent.move = intent.move * 0.3;
+            } else if (length(way) > 4) {
+                above = -0.2;  // as it is
+            }
+            break;
+        }
+    }
+    intent.crouch = above < -0.4;
+    // Up: held; at the surface let go now and then, since a leap is a press.
+    if (above > -0.1) {
+        if (rest_for_ > 0) {
+            --rest_for_;
+        } else {
+            intent.jump = true;
+            if (++jump_for_ > 25) {
+                jump_for_ = 0;
+                rest_for_ = 4;
+            }
+        }
+    }
+    return intent;
+}
+
+Intent Manoeuvring::climb(const game::Hero& hero, const dvec3& feet) {
+    Intent intent;
+    const dvec3 way = flat(to_ - feet);
+    const bool down = to_.y < feet.y - 0.5;
+    const bool on_it = hero.events.has(CharacterEvent::climbing) || hero.body.hold != Hold::none;
+    if (on_it && flat_length(hero.body.wall_normal) > 0.5)
+        intent.move = unit(flat(hero.body.wall_normal)) * -1.0;
+    else
+        intent.move = unit(way);
+    if (on_it && down) {
+        intent.move = {0, 0, 0};
+        intent.crouch = true;
+    }
+    return intent;
+}
+
+Intent Manoeuvring::wall_jump(const game::Hero& hero, const dvec3& feet, const World& world) {
+    Intent intent;
+    const dvec3 way = flat(to_ - feet);
+    const bool on_ground = hero.body.footing == Footing::ground;
+    const bool touches = hero.body.since_wall < 0.05 && !on_ground;
+    if (hero.body.hold != Hold::none) {  // an edge: over it
+        intent.move = unit(flat(hero.body.wall_normal)) * -1.0;
+        return intent;
+    }
+    if (jump_for_ > 0) --jump_for_;
+    if (length(wall_) < 0.5) {  // the nearer of the walls
+        double nearest = 1e300;
+        for (int i = 0; i < 8; ++i) {
+            const double turn = i * 0.78539816339744830962;
+            const dvec3 out{std::sin(turn), 0, std::cos(turn)};
+            const auto hit = world.ray({hero.body.position, hero.body.position + out * 5.0}, {.begin = 1, .end = 1});
+            if (hit && hit->t < nearest && hit->normal.y < 0.3 && hit->normal.y > -0.3) {
+                nearest = hit->t;
+                wall_ = unit(flat(hit->normal)) * -1.0;
+            }
+        }
+    }
+    if (feet.y > to_.y - 0.1 && !on_ground) {  // high enough: there
+        intent.move = unit(way) * std::min(1.0, 0.3 + length(way));
+        intent.jump = jump_for_ > 0 || hero.body.velocity.y > 0;
+        return intent;
+    }
+    intent.move = wall_;
+    if (on_ground) {
+        intent.jump = ticks_ > 12;
+        if (intent.jump) jump_for_ = 10;
+    } else if (touches && hero.body.velocity.y < 2.5 && jump_for_ == 0) {
+        jump_for_ = 14;
+        intent.jump = true;
+        wall_ = unit(flat(hero.body.wall_normal));
+    } else {
+        intent.jump = jump_for_ > 0 && (jump_for_ > 10 || hero.body.velocity.y > 0);
+        // A jump that took: over to the other side.
+        if (jump_for_ > 0 && flat_length(hero.body.velocity) > 2) wall_ = unit(flat(hero.body.velocity));
+    }
+    return intent;
+}
+
+}  // namespace surefoot::playtest

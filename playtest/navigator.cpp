@@ -1,0 +1,278 @@
+// What the navigator wants and how it plans; how it gets over single passages is in navigator_steps.cpp.
+#include "playtest/navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "playtest/vectors.hpp"
+
+namespace surefoot::playtest {
+namespace {
+
+constexpr int failures_until_banned = 4;
+constexpr int reaction = 9;        // ticks
+constexpr int between_plans = 20;  // that found no way [ticks]
+
+}  // namespace
+
+Navigator::Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions& options, Passages passages,
+                     std::unique_ptr<Foresight> foresight)
+    : atlas_(std::move(atlas)),
+      options_(options),
+      passages_(std::move(passages)),
+      foresight_(std::move(foresight)),
+      hands_(options.seed * 3 + 1),
+      dice_(options.seed * 7 + 5),
+      follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}) {}
+
+Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas> atlas,
+                                                     const NavigatorOptions& options) {
+    auto passages = Passages::make(*atlas);
+    if (!passages) return tl::unexpected(passages.error());
+    auto trial = Passages::make(*atlas);
+    if (!trial) return tl::unexpected(trial.error());
+    auto foresight =
+        Foresight::make(std::shared_ptr<const game::Level>(atlas, &atlas->level()));
+    if (!foresight) return tl::unexpected(foresight.error());
+    std::unique_ptr<Navigator> made(
+        new Navigator(std::move(atlas), options, std::move(*passages), std::move(*foresight)));
+    made->gave_up_ = made->why_unreachable(*trial);
+    return made;
+}
+
+// Opens whatever door there is a key for, until nothing changes; then the goal is within reach or never will be.
+std::string Navigator::why_unreachable(Passages& passages) const {
+    const game::Level& level = atlas_->level();
+    const auto begin = passages.stand_at(level.checkpoints.front().feet, 2, 3);
+    if (!begin) return "goal unreachable: there is no ground to stand on near the spawn";
+    std::vector<bool> opened(level.bodies.size(), false);
+    for (;;) {
+        const auto goal = passages.stand_at(level.goal, std::max(1.5, level.goal_radius), 2.5);
+        if (goal && passages.route(*begin, *goal)) return {};
+        bool changed = false;
+        const auto can_take = [&](const game::PickupPlan& pickup) {
+            const auto at = passages.stand_at(pickup.place - dvec3{0, 0.8, 0}, 1.5, 2.5);
+            return at && passages.route(*begin, *at);
+        };
+        const auto coins = [&] {
+            return std::ranges::count_if(level.pickups, [&](const game::PickupPlan& pickup) {
+                return pickup.kind == game::PickupKind::coin && can_take(pickup);
+            });
+        };
+        for (std::size_t i = 0; i < level.bodies.size(); ++i) {
+            const game::BodyPlan& door = level.bodies[i];
+            if (door.kind != game::BodyKind::door || opened[i]) continue;
+            const bool may = door.door.empty() ? coins() >= door.coins
+                                               : std::ranges::any_of(level.pickups, [&](const auto& pickup) {
+                                                     return pickup.kind == game::PickupKind::key &&
+                                                            pickup.door == door.door && can_take(pickup);
+                                                 });
+            if (!may) continue;
+            passages.open_door(atlas_->door_area(i));
+            opened[i] = true;
+            changed = true;
+        }
+        if (changed) continue;
+        if (!goal) return "goal unreachable: there is no ground to stand on near the goal";
+        std::string last = level.checkpoints.front().section;
+        for (const game::Checkpoint& checkpoint : level.checkpoints)
+            if (const auto at = passages.stand_at(checkpoint.feet, 2, 2); at && passages.route(*begin, *at))
+                last = checkpoint.section;
+        return fmt::format(
+            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything that "
+            "moves; the last section within reach is {}",
+            last);
+    }
+}
+
+game::HeroInput Navigator::decide(const game::Game& game) {
+    notice(game);
+    ++phase_ticks_;
+    Intent intent;
+    if (pause_ > 0) {
+        --pause_;
+    } else if (gave_up_.empty()) {
+        if (phase_ == Phase::thinks) think(game);
+        switch (phase_) {
+            case Phase::thinks:
+                intent = find_back(game);
+                break;
+            case Phase::walks:
+                intent = walk(game);
+                dodge(game, intent);
+                break;
+            case Phase::waits:
+                intent = wait(game);
+                break;
+            case Phase::hops:
+                intent = hop(game);
+                break;
+            case Phase::manoeuvres:
+                intent = manoeuvre(game);
+                break;
+        }
+    }
+    return hands_.act(intent);
+}
+
+// What happened that changes what it wants.
+void Navigator::notice(const game::Game& game) {
+    since_better_ += game::tick_seconds;
+    if (since_better_ > options_.patience && gave_up_.empty()) gave_up_ = "got nowhere any more: " + doing_;
+    for (const game::GameEvent& event : game.events()) {
+        switch (event.what) {
+            case game::Happening::respawned:
+                if (phase_ == Phase::hops || phase_ == Phase::waits || phase_ == Phase::manoeuvres) fail(game);
+                phase_ = Phase::thinks;
+                pause_ = reaction + dice_.whole(0, 12);
+                break;
+            case game::Happening::took_key:
+            case game::Happening::door_opened:
+            case game::Happening::took_coin:
+                for (const game::MovingBody& body : game.bodies()) {
+                    const game::BodyPlan& plan = atlas_->level().bodies[body.plan];
+                    if (plan.kind != game::BodyKind::door || atlas_->door_area(body.plan) == 0) continue;
+                    const bool opens = !body.is_there ||
+                                       (plan.door.empty() ? game.coins() >= plan.coins
+                                                          : std::ranges::find(game.keys(), plan.door) != game.keys().end());
+                    if (opens && passages_.query().mesh().areas()[atlas_->door_area(body.plan)].closed) {
+                        passages_.open_door(atlas_->door_area(body.plan));
+                        if (phase_ == Phase::walks) phase_ = Phase::thinks;
+                    }
+                }
+                if (event.what != game::Happening::took_coin) since_better_ = 0;
+                break;
+            case game::Happening::checkpoint:
+            case game::Happening::took_star:
+                since_better_ = 0;
+                break;
+            default:
+                break;
+        }
+    }
+    if (target_pickup_ && std::ranges::none_of(game.pickups(), [&](const game::Pickup& pickup) {
+            return pickup.plan == *target_pickup_;
+        })) {
+        target_pickup_.reset();
+        since_better_ = 0;
+        if (phase_ == Phase::walks) phase_ = Phase::thinks;
+    }
+}
+
+std::optional<Stand> Navigator::here(const game::Game& game) const {
+    const game::Hero& hero = game.hero();
+    if (hero.body.footing == Footing::ground) {
+        const std::size_t body = foresight_->body_of(hero.body.ground_body);
+        if (body < atlas_->level().bodies.size()) return Stand{.body = std::uint32_t(body), .place = game.feet()};
+    } else if (!hero.in_water) {
+        return std::nullopt;
+    }
+    if (hero.in_water)
+        if (const auto water = passages_.water_at(hero.body.position)) return water;
+    return passages_.stand_at(game.feet(), 0.8, 1.2);
+}
+
+void Navigator::think(const game::Game& game) {
+    if (think_in_ > 0) {
+        --think_in_;
+        return;
+    }
+    const auto from = here(game);
+    if (!from) return;
+    if (!choose_target(game, *from)) {
+        think_in_ = between_plans;
+        if (!banned_.empty()) {  // better once more over what failed than not at all
+            banned_.clear();
+            failures_.clear();
+        }
+        return;
+    }
+    lost_for_ = 0;
+    step_ = 0;
+    next_step(game);
+}
+
+bool Navigator::plan_to(const Stand& from, const Stand& to) {
+    auto route = passages_.route(from, to, banned_);
+    if (!route) return false;
+    target_ = to;
+    plan_ = std::move(route->passages);
+    if (route->seconds < best_left_ - 2) {
+        best_left_ = route->seconds;
+        since_better_ = 0;
+    }
+    return true;
+}
+
+// The goal; where a door bars the way a key first, or coins; for a collector what lies nearest.
+bool Navigator::choose_target(const game::Game& game, const Stand& from) {
+    const game::Level& level = atlas_->level();
+    const auto goal = passages_.stand_at(level.goal, std::max(1.5, level.goal_radius), 2.5);
+    const bool reaches = goal && passages_.route(from, *goal, banned_).has_value();
+    std::optional<std::uint32_t> best;
+    double nearest = 1e300;
+    for (const game::Pickup& pickup : game.pickups()) {
+        const game::PickupPlan& plan = level.pickups[pickup.plan];
+        const bool wanted = options_.collects ? plan.kind != game::PickupKind::heart
+                                              : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
+        if (!wanted || pickup_failures_[pickup.plan] > 1) continue;
+        const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
+        if (far >= nearest) continue;
+        const auto at = passages_.stand_at(plan.place - dvec3{0, 0.8, 0}, 0.8, 1.4);
+        if (!at || !passages_.route(from, *at, banned_)) continue;
+        nearest = far;
+        best = pickup.plan;
+    }
+    if (best) {
+        target_pickup_ = best;
+        ++pickup_failures_[*best];
+        doing_ = fmt::format("goes for a {}", game::name_of(level.pickups[*best].kind));
+        const auto at = passages_.stand_at(level.pickups[*best].place - dvec3{0, 0.8, 0}, 0.8, 1.4);
+        return at && plan_to(from, *at);
+    }
+    target_pickup_.reset();
+    doing_ = "goes for the goal";
+    return reaches && plan_to(from, *goal);
+}
+
+void Navigator::fail(const game::Game&) {
+    if (step_ < plan_.size() && ++failures_[plan_[step_]] >= failures_until_banned) banned_.push_back(plan_[step_]);
+    phase_ = Phase::thinks;
+    pause_ = std::max(pause_, dice_.whole(2, 8));
+}
+
+// Where there is no ground that it knows: to the nearest, and with a jump if that does not help.
+Intent Navigator::find_back(const game::Game& game) {
+    const bool in_air = game.hero().body.footing == Footing::air || game.hero().body.footing == Footing::ledge;
+    if (in_air && !game.hero().in_water) return save_oneself(game);
+    Intent intent;
+    if (++lost_for_ < 20) return intent;
+    const auto near = passages_.query().nearest(game.feet(), 6, 6);
+    const dvec3 way = near ? flat(near->position - game.feet()) : dvec3{0, 0, 0};
+    if (length(way) > 0.1) intent.move = unit(way);
+    if (lost_for_ % 90 > 60) intent.jump = lost_for_ % 90 < 80;
+    if (lost_for_ % 400 > 340) {
+        const double turn = dice_.in(0, 6.28);
+        intent.move = {std::sin(turn), 0, std::cos(turn)};
+    }
+    return intent;
+}
+
+// Jumps over, or on, whoever comes near.
+void Navigator::dodge(const game::Game& game, Intent& intent) {
+    bool near = false;
+    for (const game::Enemy& enemy : game.enemies()) {
+        const dvec3 way = enemy.body.position - game.hero().body.position;
+        const dvec3 closing = flat(enemy.body.velocity - game.hero().body.velocity);
+        if (std::abs(way.y) < 1.5 && flat_length(way) < 3 && dot(unit(flat(way)), closing) < -1) near = true;
+    }
+    const bool reacts = enemy_near_.after(near, dice_);
+    if (reacts && jump_for_ == 0 && game.hero().body.footing == Footing::ground && !follower_.on_link()) jump_for_ = 20;
+    if (jump_for_ > 0) {
+        --jump_for_;
+        intent.jump = true;
+    }
+}
+
+}  // namespace surefoot::playtest

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "made_levels.hpp"
+#include "playtest/explorer.hpp"
+
+namespace surefoot::playtest {
+namespace {
+
+using test::atlas_of;
+using test::navigator;
+
+TEST(Navigator, finishes_a_level_in_code_with_gaps_a_lift_a_key_and_a_door) {
+    const auto level = test::gaps_lift_key_and_door();
+    const auto atlas = atlas_of(level);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto bot = navigator(atlas, seed);
+        const auto run = play(level, *bot, {.most_seconds = 240});
+        ASSERT_TRUE(run);
+        EXPECT_TRUE(run->telemetry.won) << "seed " << seed << ": " << bot->gave_up() << "; " << bot->doing();
+        EXPECT_TRUE(run->telemetry.section_reached[2]);
+        EXPECT_NE(std::ranges::find(run->telemetry.taken, 0U), run->telemetry.taken.end()) << "the key comes first";
+    }
+}
+
+TEST(Navigator, climbs_a_ladder) {
+    test::LevelMaker maker;
+    maker.level->rules[1].ladder = true;
+    maker.level->materials[1].deadly = false;
+    maker.box({-2, 0, -10}, {2, 6, -6});
+    maker.box({-0.6, 0, -6.05}, {0.6, 6, -5.9}, 1);
+    maker.level->ways.push_back({.how = game::Manoeuvre::climb, .from = {0, 0, -5.4}, .to = {0, 6, -7}});
+    maker.level->goal = {0, 6, -9};
+    const auto level = maker.finish();
+    const auto bot = navigator(atlas_of(level));
+    const auto run = play(level, *bot, {.most_seconds = 60});
+    ASSERT_TRUE(run);
+    EXPECT_TRUE(run->telemetry.won) << bot->gave_up() << "; " << bot->doing();
+}
+
+TEST(Navigator, says_at_once_that_a_goal_that_is_walled_off_is_out_of_reach) {
+    const auto bot = navigator(atlas_of(test::walled_off()));
+    EXPECT_EQ(bot->gave_up().substr(0, 16), "goal unreachable") << bot->gave_up();
+}
+
+TEST(Navigator, says_so_too_of_a_goal_behind_a_door_whose_key_lies_behind_it) {
+    test::LevelMaker maker;
+    maker.clear();
+    maker.box({-3, -1, -4}, {3, 0, 4});
+    maker.box({-1.2, -1, -30}, {1.2, 0, -4});
+    maker.box({-6, -1, -10.2}, {-1.1, 9, -9.8});
+    maker.box({1.1, -1, -10.2}, {6, 9, -9.8});
+    maker.box({-6, 4, -10.2}, {6, 9, -9.8});
+    maker.body(game::BodyKind::door, {0, 2, -10}, {1.3, 2, 0.25}).door = "red";
+    maker.level->pickups.push_back({game::PickupKind::key, {0, 1, -20}, "red"});
+    maker.level->goal = {0, 0, -28};
+    const auto bot = navigator(atlas_of(maker.finish()));
+    EXPECT_EQ(bot->gave_up().substr(0, 16), "goal unreachable") << bot->gave_up();
+}
+
+TEST(Navigator, finishes_by_its_recording_alone) {
+    const auto level = test::gaps_lift_key_and_door();
+    const auto bot = navigator(atlas_of(level), 5);
+    const auto run = play(level, *bot, {.most_seconds = 240});
+    ASSERT_TRUE(run);
+    ASSERT_TRUE(run->telemetry.won) << bot->gave_up();
+    std::uint64_t diverged = 1;
+    const auto again = replay(level, run->recording, &diverged);
+    ASSERT_TRUE(again) << again.error().text;
+    EXPECT_TRUE(again->won);
+    EXPECT_EQ(diverged, 0U);
+    EXPECT_EQ(again->seconds, run->telemetry.seconds);
+    EXPECT_EQ(to_json(*again), to_json(run->telemetry));
+}
+
+TEST(Bots, do_the_same_again_with_the_same_seed) {
+    const auto level = test::gaps_lift_key_and_door();
+    const auto atlas = atlas_of(level);
+    const auto inputs = [&](std::uint64_t seed) {
+        const auto bot = navigator(atlas, seed);
+        return play(level, *bot, {.most_seconds = 20})->recording.inputs;
+    };
+    EXPECT_EQ(inputs(3), inputs(3));
+    EXPECT_NE(inputs(3), inputs(4));
+    Explorer one(9);
+    Explorer two(9);
+    EXPECT_EQ(play(level, one, {.most_seconds = 20})->recording.inputs,
+              play(level, two, {.most_seconds = 20})->recording.inputs);
+}
+
+TEST(Explorer, gets_about_and_presses_everything) {
+    const auto level = test::LevelMaker().finish();
+    Explorer bot(4);
+    const auto run = play(level, bot, {.most_seconds = 120});
+    ASSERT_TRUE(run);
+    EXPECT_GT(run->telemetry.stood.size(), 300U) << "cells of half a metre";
+    std::uint8_t pressed = 0;
+    for (const game::HeroInput& input : run->recording.inputs) pressed |= input.buttons;
+    EXPECT_EQ(pressed, 7);
+}
+
+}  // namespace
+}  // namespace surefoot::playtest

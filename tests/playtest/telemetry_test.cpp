@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "made_levels.hpp"
+#include "playtest/campaign.hpp"
+#include "playtest/explorer.hpp"
+#include "playtest/report.hpp"
+
+namespace surefoot::playtest {
+namespace {
+
+// Does in each tick what a list says, and the last of it for ever.
+class Script final : public Bot {
+public:
+    explicit Script(std::vector<game::HeroInput> inputs) : inputs_(std::move(inputs)) {}
+    game::HeroInput decide(const game::Game& game) override {
+        return inputs_[std::min<std::size_t>(game.ticks(), inputs_.size() - 1)];
+    }
+    const std::string& gave_up() const override { return never_; }
+    std::string name() const override { return "script"; }
+
+private:
+    std::vector<game::HeroInput> inputs_;
+    std::string never_;
+};
+
+TEST(Telemetry, notices_whoever_is_stuck_in_a_pit) {
+    const auto level = test::pit();
+    Explorer bot(1);
+    const auto run = play(level, bot, {.most_seconds = 120});
+    ASSERT_TRUE(run);
+    ASSERT_GT(run->telemetry.count(Incident::Kind::stuck), 0U);
+    const auto first = std::ranges::find(run->telemetry.incidents, Incident::Kind::stuck, &Incident::kind);
+    EXPECT_NEAR(first->place.y, -8, 0.1);
+    ASSERT_TRUE(first->capture.has_value());
+    EXPECT_TRUE(surefoot::replay(*first->capture).is_same()) << "the step can be made again";
+}
+
+TEST(Telemetry, says_of_nobody_who_leans_against_a_wall_for_a_while_that_they_are_stuck) {
+    test::LevelMaker maker;
+    maker.box({-5, 0, -3}, {5, 3, -2});
+    std::vector<game::HeroInput> inputs(200, game::HeroInput{.move_z = -1});
+    inputs.insert(inputs.end(), 200, game::HeroInput{.move_z = 1});
+    Script bot(inputs);
+    const auto run = play(maker.finish(), bot, {.most_seconds = 6});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->telemetry.count(Incident::Kind::stuck), 0U);
+}
+
+TEST(Telemetry, counts_deaths_by_section_and_failed_jumps) {
+    test::LevelMaker maker;
+    maker.clear();
+    maker.box({-3, -1, -12}, {3, 0, 4});
+    maker.level->checkpoints.push_back({.feet = {0, 0, -6}, .section = "the edge", .order = 1});
+    maker.level->goal = {0, 0, -60};
+    const auto level = maker.finish();
+    // Runs past the checkpoint, jumps off the edge, and does so again.
+    std::vector<game::HeroInput> inputs;
+    for (int i = 0; i < 1200; ++i) {
+        game::HeroInput input{.move_z = -1};
+        if (i % 40 < 20) press(input, game::Button::jump);
+        inputs.push_back(input);
+    }
+    Script bot(inputs);
+    const auto run = play(level, bot, {.most_seconds = 20});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->telemetry.section_deaths[0], 0U);
+    EXPECT_GT(run->telemetry.section_deaths[1], 3U);
+    EXPECT_EQ(run->telemetry.count(Incident::Kind::death), run->telemetry.section_deaths[1]);
+    EXPECT_GT(run->telemetry.count(Incident::Kind::failed_jump), 0U);
+    const auto death = std::ranges::find(run->telemetry.incidents, Incident::Kind::death, &Incident::kind);
+    EXPECT_EQ(death->cause, game::Cause::fall);
+    EXPECT_GT(death->trail.size(), 10U);
+    EXPECT_GT(run->telemetry.section_seconds[1], run->telemetry.section_seconds[0]);
+    double sum = 0;
+    for (const double seconds : run->telemetry.section_seconds) sum += seconds;
+    EXPECT_NEAR(sum, run->telemetry.seconds, 1e-6);
+}
+
+TEST(Telemetry, is_the_same_after_it_was_written_and_read) {
+    const auto level = test::pit();
+    Explorer bot(1);
+    const auto run = play(level, bot, {.most_seconds = 40});
+    ASSERT_TRUE(run);
+    const std::string text = to_json(run->telemetry);
+    const auto read = telemetry_of(text, "a file");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(to_json(*read), text);
+    EXPECT_FALSE(telemetry_of(text.substr(0, text.size() / 2), "a file"));
+    EXPECT_FALSE(telemetry_of("{}", "a file"));
+}
+
+TEST(Campaign, plays_the_same_on_one_thread_and_on_two) {
+    const auto level = test::gaps_lift_key_and_door();
+    const auto json = [&](int threads) {
+        const auto found = run_campaign(level, {.bots = 3, .hours = 0.01, .threads = threads, .explorer_run = 20});
+        EXPECT_TRUE(found);
+        std::string all;
+        for (const PlayedRun& run : found->runs) all += to_json(run.telemetry);
+        return all;
+    };
+    EXPECT_EQ(json(1), json(2));
+}
+
+TEST(Campaign, finds_a_made_level_fine_and_a_pit_not) {
+    const auto fine = run_campaign(test::gaps_lift_key_and_door(), {.bots = 3, .hours = 0, .explorer_run = 20});
+    ASSERT_TRUE(fine);
+    EXPECT_TRUE(fine->unreachable.empty()) << fine->unreachable;
+    EXPECT_EQ(fine->navigators_won(), fine->navigators());
+    EXPECT_TRUE(fine->is_fine());
+    const auto broken = run_campaign(test::pit(), {.bots = 2, .hours = 0, .explorer_run = 60});
+    ASSERT_TRUE(broken);
+    EXPECT_FALSE(broken->unreachable.empty());
+    EXPECT_FALSE(broken->is_fine());
+}
+
+}  // namespace
+}  // namespace surefoot::playtest
