@@ -45,12 +45,13 @@ inline void move_enemy(Enemy& enemy, const surefoot::World& world, const surefoo
 // [meet]
 enum class Meeting { none, stomped, caught };
 
-/// Who falls on a head stomps on it; who is touched in any other way is caught.
+/// Who comes down on a head stomps on it; whose feet are lower than that is caught.
 inline Meeting meet(const Enemy& enemy, const surefoot::CharacterState& hero) {
     const dvec3 apart = hero.position - enemy.state.position;
     const bool is_beside = glm::length(dvec3{apart.x, 0, apart.z}) < 0.8;
     if (!is_beside || glm::abs(apart.y) > 2 * hero_half_height) return Meeting::none;
-    return hero.velocity.y < -1 && apart.y > hero_half_height ? Meeting::stomped : Meeting::caught;
+    if (apart.y < hero_half_height) return Meeting::caught;
+    return hero.velocity.y < 0 ? Meeting::stomped : Meeting::none;
 }
 // [/meet]
 
