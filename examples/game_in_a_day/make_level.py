@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes the level of docs/game-in-a-day.md, a .glb such as Blender exports, with nothing but Python.
 
-    examples/game_in_a_day/make_level.py examples/game_in_a_day/level.glb
+    examples/game_in_a_day/make_level.py examples/game_in_a_day/level.glb           writes it
+    examples/game_in_a_day/make_level.py --check examples/game_in_a_day/level.glb   is it the one that would be written?
 
 Metres, +Y up. The hero begins in the south (+Z) and goes north: an island, a platform over a gap, an island with an enemy,
 a lift, and the goal.
@@ -58,7 +59,7 @@ class Level:
         return {"attributes": {"POSITION": self.keep(points, "VEC3", 5126, 34962)},
                 "indices": self.keep(indices, "SCALAR", 5125, 34963), "material": self.materials.index(material)}
 
-    def write(self, path):
+    def to_bytes(self):
         tree = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(self.nodes)))}],
                 "nodes": self.nodes, "meshes": self.meshes, "materials": [{"name": name} for name in self.materials],
                 "accessors": self.accessors, "bufferViews": self.views, "buffers": [{"byteLength": len(self.binary)}]}
@@ -66,7 +67,7 @@ class Level:
         text += b" " * (-len(text) % 4)
         chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
         chunks += struct.pack("<II", len(self.binary), 0x004E4942) + self.binary
-        path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
 def build():
@@ -95,7 +96,16 @@ def build():
     return level
 
 
-if __name__ == "__main__":
-    if len(sys.argv) != 2:
+def main():
+    *check, path = sys.argv[1:] or [""]
+    if not path or check not in ([], ["--check"]):
         sys.exit(__doc__)
-    build().write(pathlib.Path(sys.argv[1]))
+    level = build().to_bytes()
+    if not check:
+        pathlib.Path(path).write_bytes(level)
+    elif pathlib.Path(path).read_bytes() != level:
+        sys.exit(f"{path} is not what this program writes: write it anew")
+
+
+if __name__ == "__main__":
+    main()

@@ -13,6 +13,7 @@ public:
     explicit GlfwWindow(GLFWwindow* window) : window_(window) {
         glfwMakeContextCurrent(window);
         glfwSwapInterval(1);
+        glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);  // a short press is not missed by a slow frame
         glEnable(GL_DEPTH_TEST);
         glClearColor(0.62F, 0.78F, 0.92F, 1);
     }

@@ -1,0 +1,53 @@
+# The programs of docs/game-in-a-day.md, one a step. Each is run by a test, and prints what the page says that it prints.
+set(day_folder "${CMAKE_CURRENT_LIST_DIR}")
+find_package(Python3 3.9 COMPONENTS Interpreter)
+
+# With GLFW and OpenGL two of them have a window; without, pictures in files.
+find_package(glfw3 3.3 QUIET)
+set(OpenGL_GL_PREFERENCE GLVND)
+find_package(OpenGL QUIET COMPONENTS OpenGL)
+
+# surefoot_day_step(number libraries...)
+function(surefoot_day_step number)
+  set(name game_in_a_day_${number})
+  surefoot_example(${name} "${day_folder}/step${number}.cpp")
+  surefoot_quick_to_build(example_${name})
+  target_link_libraries(example_${name} PRIVATE ${ARGN})
+  if(SUREFOOT_BUILD_TESTS AND Python3_FOUND)
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/game_in_a_day/step${number}")
+    file(MAKE_DIRECTORY "${folder}")
+    add_test(NAME ${SUREFOOT_TEST_PREFIX}examples.${name} WORKING_DIRECTORY "${folder}"
+      COMMAND Python3::Interpreter "${day_folder}/check_output.py" "${PROJECT_SOURCE_DIR}/docs/game-in-a-day.md" ${number}
+              $<TARGET_FILE:example_${name}> "${day_folder}/level.glb" --script)
+  endif()
+endfunction()
+
+surefoot_day_step(1)
+if(TARGET surefoot::import)
+  foreach(number IN ITEMS 2 3 4 6)
+    surefoot_day_step(${number} surefoot::import)
+  endforeach()
+endif()
+if(TARGET surefoot::import AND TARGET surefoot::navigation)
+  add_library(game_in_a_day_window STATIC EXCLUDE_FROM_ALL)
+  surefoot_target(game_in_a_day_window)
+  surefoot_quick_to_build(game_in_a_day_window)
+  target_link_libraries(game_in_a_day_window PRIVATE surefoot::import surefoot::navigation)
+  if(glfw3_FOUND AND OpenGL_OpenGL_FOUND)
+    target_sources(game_in_a_day_window PRIVATE "${day_folder}/window_glfw.cpp")
+    target_link_libraries(game_in_a_day_window PRIVATE glfw OpenGL::OpenGL)
+  else()
+    target_sources(game_in_a_day_window PRIVATE "${day_folder}/window_none.cpp")
+  endif()
+  foreach(number IN ITEMS 5 8)
+    surefoot_day_step(${number} surefoot::import surefoot::navigation)
+  endforeach()
+  foreach(number IN ITEMS 7 9)
+    surefoot_day_step(${number} surefoot::import surefoot::navigation game_in_a_day_window)
+  endforeach()
+endif()
+
+if(SUREFOOT_BUILD_TESTS AND Python3_FOUND)
+  add_test(NAME ${SUREFOOT_TEST_PREFIX}examples.game_in_a_day_level
+    COMMAND Python3::Interpreter "${day_folder}/make_level.py" --check "${day_folder}/level.glb")
+endif()
