@@ -24,8 +24,8 @@ struct Camera {
 /// jump.
 inline void follow(Camera& camera, const surefoot::World& world, const dvec3& hero) {
     constexpr double wanted = 6;
-    const surefoot::Sphere lens{.radius = 0.25};
-    camera.target = hero + dvec3{0, 0.6, 0};
+    const surefoot::Sphere lens{.radius = 0.2};  // wider than the picture where it begins, 0.1 m before the eye
+    camera.target = hero + dvec3{0, 0.5, 0};     // the lens fits into the hero there, so it begins in nothing else
     const surefoot::Motion back{camera.target, camera.target - camera.view() * wanted};
     const auto hit = world.sweep(lens, back, {.begin = 1, .end = 1});  // as the world stands at the end of the tick
     const double room = hit ? hit->t * wanted : wanted;

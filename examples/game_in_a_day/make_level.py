@@ -75,6 +75,7 @@ def build():
     level.box("south", "grass", (12, 1, 20), (0, 0, -4))
     level.box("back wall", "brick", (12, 3, 0.5), (0, 3, 6.25))
     level.box("crate", "wood", (1.6, 1, 1.6), (-2.5, 1, -4))
+    level.box("ledge", "stone", (2, 0.5, 2), (4, 0.5, -1))
     level.box("post west", "brick", (1, 3, 1), (-4, 3, -11))
     level.box("post east", "brick", (1, 3, 1), (4, 3, -11))
     level.box("ferry", "metal", (3, 0.4, 3), (0, 0, -16), "platform")

@@ -9,7 +9,6 @@
 
 namespace day {
 
-// [picture]
 class Picture {
 public:
     Picture(int width, int height)
@@ -51,6 +50,7 @@ private:
         double nearness = 0;  // 1 / distance, which is what varies evenly over a triangle on the screen
     };
 
+    // [on_screen]
     /// What of a polygon is in front of the eye, in pixels, with its nearness.
     [[nodiscard]] std::vector<dvec3> on_screen(const std::vector<glm::dvec4>& corners) const {
         constexpr double near = 0.1;
@@ -66,7 +66,9 @@ private:
         }
         return outline;
     }
+    // [/on_screen]
 
+    // [fill]
     void fill(const dvec3& a, const dvec3& b, const dvec3& c, const Colour& colour) {
         const auto side = [](const dvec3& p, const dvec3& q, double x, double y) {
             return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
@@ -88,10 +90,10 @@ private:
                 if (nearness > pixel.nearness) pixel = {colour, nearness};
             }
     }
+    // [/fill]
 
     int width_, height_;
     std::vector<Pixel> pixels_;
 };
-// [/picture]
 
 }  // namespace day

@@ -11,7 +11,7 @@
 
 namespace day {
 
-// [scene]
+// [drawn]
 struct Colour {
     double r, g, b;
 };
@@ -32,6 +32,7 @@ inline void draw(Scene& scene, const dvec3& a, const dvec3& b, const dvec3& c, c
     const double light = 0.65 + 0.35 * glm::dot(glm::normalize(across), glm::normalize(dvec3{0.4, 1, 0.6}));
     scene.triangles.push_back({{a, b, c}, {light * colour.r, light * colour.g, light * colour.b}});
 }
+// [/drawn]
 
 inline void draw(Scene& scene, const surefoot::Mesh& mesh, const dvec3& place, const Level& level) {
     for (std::uint32_t id = 0; id < mesh.triangle_count(); ++id) {
@@ -63,6 +64,7 @@ inline void draw_ball(Scene& scene, const dvec3& middle, const dvec3& radii, con
         }
 }
 
+// [scene]
 /// The game between its last two ticks.
 inline Scene scene_of(const Game& game, const Camera& camera, double blend, double width_by_height) {
     Scene scene;

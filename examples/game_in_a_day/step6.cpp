@@ -22,7 +22,7 @@ int main(int count, char** arguments) {
             std::printf("the hero is at z = %.1f, the camera %.1f m behind, at z = %.1f\n", hero.position.z,
                         camera.length, camera.eye().z);
         std::array<surefoot::Overlap, 1> touched;
-        if (world.overlap(surefoot::Sphere{.radius = 0.2}, camera.eye(), touched) > 0)
+        if (world.overlap(surefoot::Sphere{.radius = 0.19}, camera.eye(), touched) > 0)
             return std::puts("the camera is inside of something"), 1;
     }
     // [/main]

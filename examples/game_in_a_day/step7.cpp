@@ -29,7 +29,7 @@ int main(int count, char** arguments) {
     day::Picture picture(1280, 720);
     picture.draw(day::scene_of(game, camera, 1, 1280.0 / 720));
     if (!picture.save("game.ppm")) return 1;
-    std::printf("game.ppm: %.0f%% of it is not sky\n", 100 * picture.covered());
+    std::printf("game.ppm: about %.0f tenths of it are not sky\n", 10 * picture.covered());
     // [/main]
     return picture.covered() > 0.3 ? 0 : 1;
 }

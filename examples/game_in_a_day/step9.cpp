@@ -74,11 +74,16 @@ bool play_script(const day::Level& level, const surefoot::NavigationMesh& mesh) 
     }
     std::printf("%s after %.1f s\n", game.is_won ? "won" : "not won", double(game.ticks) * day::tick_seconds);
 
-    // Another game: against the crate, without a jump.
+    // Another game, to the ledge in the south east, which looks low enough.
     day::Game stopped(level, mesh);
-    day::Autopilot walker({{.to = {-2.5, 0, 0}}, {.to = {-2.5, 0, -9}}});
-    while (stopped.ticks < 150) stopped.tick({.wish = walker.wish(stopped.world, stopped.movers, stopped.hero)});
-    return save_moment(stopped, "moment.json") && game.is_won;
+    day::Autopilot walker({{.to = {4, 0, 2}}, {.to = {4, 0, -3}}});
+    const auto walk = [&] { stopped.tick({.wish = walker.wish(stopped.world, stopped.movers, stopped.hero)}); };
+    while (stopped.ticks < 100) walk();
+    if (!save_moment(stopped, "moment.json")) return false;
+    stopped.settings.step_up = 0.51;
+    while (stopped.ticks < 110) walk();
+    std::printf("With step_up = 0.51 its feet are at a height of %.2f m.\n", day::feet_of(stopped.hero).y);
+    return game.is_won;
 }
 // [/script]
 
