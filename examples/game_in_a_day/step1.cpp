@@ -18,9 +18,9 @@ void add_box(Triangles& to, const surefoot::vec3& low, const surefoot::vec3& hig
     const auto first = std::uint32_t(to.corners.size());
     for (int corner = 0; corner < 8; ++corner)
         to.corners.push_back({corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
-    for (const std::uint32_t corner : {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,   // north, south, west
-                                       1, 3, 7, 1, 7, 5, 2, 6, 7, 2, 7, 3, 0, 1, 5, 0, 5, 4})  // east, top, bottom
-        to.indices.push_back(first + corner);
+    constexpr std::uint32_t sides[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,   // north, south, west
+                                       1, 3, 7, 1, 7, 5, 2, 6, 7, 2, 7, 3, 0, 1, 5, 0, 5, 4};  // east, top, bottom
+    for (const std::uint32_t corner : sides) to.indices.push_back(first + corner);
 }
 // [/box]
 
