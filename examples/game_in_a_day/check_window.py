@@ -17,10 +17,10 @@ SKIPPED = 77
 
 
 def share_of(colour, screen):
-    """How much of the screen has a colour, of which the bytes are blue, green, red. The file is that of xwd."""
+    """How much of the screen has a colour, blue, green and red, as some of its pixels say. The file is that of xwd."""
     head = struct.unpack(">25I", screen[:100])
-    pixels = screen[head[0] + 12 * head[19]:]
-    return sum(pixels[i:i + 3] == colour for i in range(0, len(pixels), 4)) / (len(pixels) / 4)
+    places = range(head[0] + 12 * head[19], len(screen), 4 * 101)
+    return sum(screen[i:i + 3] == colour for i in places) / len(places)
 
 
 def main():
@@ -36,13 +36,13 @@ def main():
         os.close(writer)
         display = os.fdopen(reader).readline().strip()
         game = subprocess.Popen(sys.argv[1:], cwd=folder, env={**os.environ, "DISPLAY": f":{display}"})
-        sky = share = 0
+        sky = black = 0
         try:
-            for _ in range(60):
-                time.sleep(0.5)
+            for _ in range(150):
+                time.sleep(0.2)
                 screen = (pathlib.Path(folder) / "Xvfb_screen0").read_bytes()
-                sky, share = (share_of(bytes(colour), screen) for colour in ((235, 199, 158), (0, 0, 0)))
-                if game.poll() is not None or (0.2 < sky < 0.8 and share < 0.05):
+                sky, black = (share_of(bytes(colour), screen) for colour in ((235, 199, 158), (0, 0, 0)))
+                if game.poll() is not None or (0.2 < sky < 0.8 and black < 0.05):
                     break
             is_running = game.poll() is None
         finally:
@@ -50,8 +50,8 @@ def main():
             game.wait()
             server.terminate()
             server.wait()
-    print(f"{100 * sky:.0f}% of the window is sky, {100 * share:.0f}% is black")
-    sys.exit(0 if is_running and 0.2 < sky < 0.8 and share < 0.05 else 1)
+    print(f"{100 * sky:.0f}% of the window is sky, {100 * black:.0f}% is black")
+    sys.exit(0 if is_running and 0.2 < sky < 0.8 and black < 0.05 else 1)
 
 
 if __name__ == "__main__":
