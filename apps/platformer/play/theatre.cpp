@@ -71,8 +71,9 @@ void Theatre::show_cards() {
         return;
     }
     if (!options_.level.empty() && !run_) {
-        screens_.begin_level(options_.level);
-        begin(options_.level, Command::Kind::start);
+        const std::string level = std::exchange(options_.level, {});
+        screens_.begin_level(level);
+        begin(level, Command::Kind::start);
     }
     if (!run_ && !backdrop_) {
         auto behind = Run::start({.level = library_.levels().front()});
