@@ -38,7 +38,7 @@ std::vector<Leap> Passages::find_leaps(Foresight& foresight) const {
         for (const Border& to : borders_) {
             if (from.island == to.island) continue;
             const dvec3 way = to.place - from.place;
-            if (std::abs(way.x) > 8 || std::abs(way.z) > 8 || way.y > 4 || way.y < -6) continue;
+            if (std::abs(way.x) > 8 || std::abs(way.z) > 8 || way.y > 4 || way.y < -16) continue;
             const double gap = std::max(0.0, flat_length(way) - 0.7);
             if (!is_in_reach(gap, way.y) || linked.contains({from.island, to.island})) continue;
             const double effort = gap + 1.5 * std::max(0.0, way.y);

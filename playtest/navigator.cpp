@@ -11,6 +11,8 @@ namespace surefoot::playtest {
 namespace {
 
 constexpr int failures_until_banned = 4;
+constexpr int tries_for_key = 40;
+constexpr int tries_for_coin = 2;
 constexpr int reaction = 9;        // ticks
 constexpr int between_plans = 20;  // that found no way [ticks]
 
@@ -144,6 +146,10 @@ void Navigator::notice(const game::Game& game) {
                 if (event.what != game::Happening::took_coin) since_better_ = 0;
                 break;
             case game::Happening::checkpoint:
+                best_left_ = 1e300;
+                since_better_ = 0;
+                if (phase_ == Phase::walks && step_ >= plan_.size()) phase_ = Phase::thinks;
+                break;
             case game::Happening::took_star:
                 since_better_ = 0;
                 break;
@@ -216,7 +222,8 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         const game::PickupPlan& plan = level.pickups[pickup.plan];
         const bool wanted = options_.collects ? plan.kind != game::PickupKind::heart
                                               : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
-        if (!wanted || pickup_failures_[pickup.plan] > 1) continue;
+        const int most = plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin;
+        if (!wanted || pickup_failures_[pickup.plan] >= most) continue;
         const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
         if (far >= nearest) continue;
         const auto at = passages_.stand_at(plan.place - dvec3{0, 0.8, 0}, 0.8, 1.4);
@@ -232,6 +239,16 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         return at && plan_to(from, *at);
     }
     target_pickup_.reset();
+    // By way of the next checkpoint: whoever cuts corners begins anew from far back.
+    if (reaches)
+        for (std::uint32_t i = game.checkpoint() + 1; i < level.checkpoints.size(); ++i) {
+            if (checkpoint_tries_[i] > 12) continue;
+            const auto at = passages_.stand_at(level.checkpoints[i].feet, 1.5, 1.5);
+            if (!at || !passages_.route(*at, *goal, banned_) || !plan_to(from, *at)) continue;
+            ++checkpoint_tries_[i];
+            doing_ = fmt::format("goes for the checkpoint of {}", level.checkpoints[i].section);
+            return true;
+        }
     doing_ = "goes for the goal";
     return reaches && plan_to(from, *goal);
 }

@@ -87,6 +87,7 @@ private:
     Reaction enemy_near_;
     std::map<std::uint32_t, int> failures_;        ///< of passages
     std::map<std::uint32_t, int> pickup_failures_; ///< of pickups that it went for
+    std::map<std::uint32_t, int> checkpoint_tries_;
     std::vector<std::uint32_t> banned_;
     int pause_ = 0;         ///< ticks until it reacts
     int waited_ = 0;        ///< ticks

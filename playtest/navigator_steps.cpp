@@ -10,11 +10,11 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr int between_tries = 6;        // ticks
+constexpr int between_tries = 8;        // ticks
 constexpr int longest_wait = 60 * 30;   // ticks
 constexpr int longest_hop = 60 * 4;     // ticks
 constexpr double longest_manoeuvre = 25;  // s
-constexpr int hops_kept = 4;              // styles that are rehearsed at a time
+constexpr int hops_kept = 3;              // styles that are rehearsed at a time
 
 bool holds_crouch(game::Manoeuvre how) {
     return how == game::Manoeuvre::crouch;
@@ -232,6 +232,9 @@ void Navigator::try_to_hop(const game::Game& game) {
         return;
     }
     style_turn_ += hops_kept;
+    // Nothing changes by itself where nothing moves: from another place, then.
+    const bool still = passage.from.body == on_ground && passage.to.body == on_ground;
+    if (still && style_turn_ > 2 * count + hops_kept) fail(game);
     foresight_->look(game);
 }
 

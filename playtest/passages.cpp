@@ -16,7 +16,7 @@ namespace {
 constexpr double between_spots = 0.45;    // on a body [m]
 constexpr double between_borders = 1.2;   // along the mesh [m]
 constexpr double farthest_gap = 6;        // by two jumps [m]
-constexpr double deepest_drop = 6;        // that is jumped down on to a body or off it [m]
+constexpr double deepest_drop = 16;       // that is jumped down [m]
 constexpr int samples = 32;               // of a round
 
 std::vector<double> clocks_of(const game::BodyPlan& plan) {
@@ -234,7 +234,7 @@ void Passages::find_rides_of(std::size_t body) {
         for (const Border& border : beside) {
             if (border.place.x < around.min.x - farthest_gap - 1 || border.place.x > around.max.x + farthest_gap + 1 ||
                 border.place.z < around.min.z - farthest_gap - 1 || border.place.z > around.max.z + farthest_gap + 1 ||
-                std::abs(border.place.y - around.min.y) > 14)
+                std::abs(border.place.y - around.min.y) > 20)
                 continue;
             double gap = std::numeric_limits<double>::max();
             dvec3 nearest = rims.front();

@@ -9,7 +9,8 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr int longest_hop = 60 * 4;  // ticks
+constexpr int longest_hop = 60 * 4;   // ticks
+constexpr int longest_run_up = 75;    // ticks
 
 }  // namespace
 
@@ -58,9 +59,12 @@ bool rehearse(Foresight& foresight, const std::function<void()>& reset, const Ch
             if (there && throws) return true;
             // Whoever never left the ground it stood on has not got anywhere yet.
             stood = there && (trial.is_under_way() || to.body != on_ground || i > 10) ? stood + 1 : 0;
+            if (!trial.is_under_way() && stood == 0 && i > longest_run_up) return false;
             const double low = std::min(to.body == on_ground ? to.place.y : aim_at(foresight, spots, to, foresight.feet()).place.y,
                                         start);
-            if (foresight.feet().y < low - 3.5) return false;
+            const CharacterState& body = foresight.hero().body;
+            const bool sinks = body.footing == Footing::air && body.velocity.y < -4 && body.air_jumps_left == 0;
+            if (foresight.feet().y < low - (sinks ? 1.8 : 3.5)) return false;
             const bool elsewhere = trial.is_under_way() && !there && foresight.hero().body.footing == Footing::ground;
             fell_short = elsewhere ? fell_short + 1 : 0;
             if (fell_short > 25) return false;

@@ -18,6 +18,7 @@ constexpr double wants_to_go = 2;             // m/s
 constexpr double gets_nowhere = 0.3;          // m
 constexpr int stuck_for = 120;                // ticks
 constexpr int stuck_in_one_direction = 300;   // ticks
+constexpr int gets_away_in = 30;              // ticks
 constexpr double escaped_by = 2;              // outside of the level's box [m]
 constexpr double looks_far = 25;              // m
 constexpr std::size_t most_captures = 20;     // of one run
@@ -148,16 +149,18 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
         stuck_from_ = game.feet();
         stuck_wish_ = wish;
         wishes_for_ = 0;
-        turned_ = false;
+        turned_for_ = 0;
     }
     if (length(wish) <= wants_to_go || game.outcome() != game::Outcome::playing) {
-        if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_) return;  // a pause for breath in a pit
+        if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_for_ > 0) return;  // a pause for breath in a pit
         wishes_for_ = 0;
         return;
     }
     ++wishes_for_;
-    turned_ = turned_ || dot(unit(wish), unit(stuck_wish_)) < 0;
-    if (in_air || wishes_for_ < (turned_ ? stuck_for : stuck_in_one_direction)) return;
+    // The other way, and for as long as it takes to get away.
+    turned_for_ += dot(unit(wish), unit(stuck_wish_)) < 0 ? 1 : 0;
+    const bool turned = turned_for_ > gets_away_in;
+    if (in_air || wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;

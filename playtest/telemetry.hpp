@@ -80,7 +80,7 @@ private:
     dvec3 stuck_from_{0, 0, 0};
     dvec3 stuck_wish_{0, 0, 0};
     int wishes_for_ = 0;  ///< ticks
-    bool turned_ = false;  ///< it has tried the other way since
+    int turned_for_ = 0;  ///< it has tried the other way for so many ticks
     std::uint64_t quiet_until_ = 0;  ///< of the same kind of trouble, so that one place is one incident
     std::uint8_t buttons_ = 0;
 };
