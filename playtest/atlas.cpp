@@ -16,10 +16,10 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 7;     // of what is kept, and of what it is made with
+constexpr std::uint64_t atlas_version = 7;  // of what is kept, and of what it is made with
 constexpr Section leaps_section{.owner = "playtest", .name = "leaps"};
-constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
-constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]
+constexpr std::size_t most_doors = 50;  // of the areas that a mesh can have
+constexpr double around_door = 0.25;    // beyond its box the ground is barred, too [m]
 
 // A mesh that can be kept: now and then Recast makes a polygon that is not convex, and reading refuses the whole mesh.
 // Other cells give other polygons.
@@ -29,8 +29,7 @@ Expected<NavigationMesh> build_mesh(const World& ground, const CharacterSettings
                                     const std::vector<NavigationRegion>& regions, int threads) {
     const double usual = navigation_agent(settings).radius / 4;
     auto mesh = NavigationMesh::build(
-        ground, settings,
-        {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
+        ground, settings, {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
     for (const double share : {0.95, 1.07, 0.9, 1.13}) {
         if (!mesh || NavigationMesh::read(mesh->to_bytes())) break;
         mesh = NavigationMesh::build(ground, settings,
@@ -79,7 +78,8 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         areas.push_back({.name = body.name, .closed = true});
     }
     std::vector<std::uint32_t> surface_areas;
-    for (const game::Material& material : level_->materials) surface_areas.push_back(material.deadly ? forbidden_area : 0);
+    for (const game::Material& material : level_->materials)
+        surface_areas.push_back(material.deadly ? forbidden_area : 0);
 
     const std::uint64_t key = hash_bytes(std::as_bytes(std::span(&level_->hash, 1)), atlas_version);
     const std::string path = options.use_cache && level_->hash != 0 ? cache_path(key) : std::string{};

@@ -45,22 +45,37 @@ Intent Manoeuvring::swim(const game::Hero& hero, const dvec3& feet, const World&
         intent.jump = hero.body.footing != Footing::ground && hero.body.velocity.y > 0;
         return intent;
     }
-    double above = to_.y - feet.y;
-    if (length(way) > 2) {
+    const double wanted = to_.y - feet.y;
+    double above = wanted;
+    if (length(way) > 1.5) {
         const dvec3 ahead = unit(way) * std::min(4.0, length(way));
-        for (const double height : {0.0, -0.7, 0.7, -1.4, 1.4, -2.1, 2.1, -2.8, 2.8, -3.5, 3.5, -4.2, -4.9}) {
-            const dvec3 from = hero.body.position + dvec3{0, height, 0};
-            const bool free_here = !world.ray_any({hero.body.position, from}, {.begin = 1, .end = 1});
-            const Motion motion{from, from + ahead};
-            if (!free_here || world.sweep_any(Sphere{0.5}, motion, {.begin = 1, .end = 1})) continue;
-            if (std::abs(height) > 0.5) {
+        const dvec3 across{-unit(way).z, 0, unit(way).x};
+        double least = 1e300;
+        double aside = 0;
+        for (const double to_side : {0.0, 1.3, -1.3, 2.6, -2.6, 3.9, -3.9})
+            for (int i = -1; i <= 16; ++i) {
+                const double height = i < 0 ? wanted : 0.7 * ((i + 1) / 2) * (i % 2 == 0 ? 1 : -1);
+                const dvec3 from = hero.body.position + across * to_side + dvec3{0, height, 0};
+                const double cost = std::abs(height - wanted) + 0.1 * std::abs(height) + 3 * std::abs(to_side);
+                if (cost >= least || world.ray_any({hero.body.position, from}, {.begin = 1, .end = 1}) ||
+                    world.sweep_any(Sphere{0.45}, {from, from + ahead}, {.begin = 1, .end = 1}))
+                    continue;
+                least = cost;
                 above = height;
-                intent.move = intent.move * 0.3;
-            } else if (length(way) > 4) {
-                above = -0.2;  // as it is
+                aside = to_side;
             }
-            break;
+        if (std::abs(above) > 0.8 && std::abs(above - wanted) > 0.5) intent.move = intent.move * 0.3;
+        if (above > 1.5) intent.move = intent.move * 0.2;  // up first
+        if (std::abs(aside) > 0.5) intent.move = across * (aside > 0 ? 0.8 : -0.8);
+        const dvec3 head = hero.body.position + dvec3{0, 0.7, 0};
+        const bool is_under = world.ray_any({head, head + dvec3{0, 1, 0}}, {.begin = 1, .end = 1});
+        if (least > 1e299 && wanted > 1 && is_under) back_for_ = 45;
+        if (back_for_ > 0) {  // out from under what is above
+            --back_for_;
+            intent.move = unit(way) * -0.8;
         }
+        // Who is where it wants to be keeps from sinking.
+        if (above < 0.35 && above > -0.35) above = hero.body.velocity.y < -0.2 ? 0 : -0.2;
     }
     intent.crouch = above < -0.4;
     // Up: held; at the surface let go now and then, since a leap is a press.
@@ -124,7 +139,8 @@ Intent Manoeuvring::wall_jump(const game::Hero& hero, const dvec3& feet, const W
     if (!between) {
         intent.move = along_;
         const dvec3 ahead = feet + along_ * 0.4;
-        const bool edge = on_ground && !world.ray_any({ahead + dvec3{0, 0.5, 0}, ahead - dvec3{0, 0.7, 0}}, {.begin = 1, .end = 1});
+        const bool edge =
+            on_ground && !world.ray_any({ahead + dvec3{0, 0.5, 0}, ahead - dvec3{0, 0.7, 0}}, {.begin = 1, .end = 1});
         if (edge) jump_for_ = 20;
         intent.jump = jump_for_ > 0 && (on_ground || body.velocity.y > 0);
         wall_ = {0, 0, 0};

@@ -28,6 +28,7 @@ private:
     int ticks_ = 0;
     int jump_for_ = 0;
     int rest_for_ = 0;
+    int back_for_ = 0;
 };
 
 }  // namespace surefoot::playtest

@@ -34,8 +34,7 @@ Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas
     if (!passages) return tl::unexpected(passages.error());
     auto trial = Passages::make(*atlas);
     if (!trial) return tl::unexpected(trial.error());
-    auto foresight =
-        Foresight::make(std::shared_ptr<const game::Level>(atlas, &atlas->level()));
+    auto foresight = Foresight::make(std::shared_ptr<const game::Level>(atlas, &atlas->level()));
     if (!foresight) return tl::unexpected(foresight.error());
     std::unique_ptr<Navigator> made(
         new Navigator(std::move(atlas), options, std::move(*passages), std::move(*foresight)));
@@ -65,11 +64,10 @@ std::string Navigator::why_unreachable(Passages& passages) const {
         for (std::size_t i = 0; i < level.bodies.size(); ++i) {
             const game::BodyPlan& door = level.bodies[i];
             if (door.kind != game::BodyKind::door || opened[i]) continue;
-            const bool may = door.door.empty() ? coins() >= door.coins
-                                               : std::ranges::any_of(level.pickups, [&](const auto& pickup) {
-                                                     return pickup.kind == game::PickupKind::key &&
-                                                            pickup.door == door.door && can_take(pickup);
-                                                 });
+            const bool may =
+                door.door.empty() ? coins() >= door.coins : std::ranges::any_of(level.pickups, [&](const auto& pickup) {
+                    return pickup.kind == game::PickupKind::key && pickup.door == door.door && can_take(pickup);
+                });
             if (!may) continue;
             passages.open_door(atlas_->door_area(i));
             opened[i] = true;
@@ -82,7 +80,8 @@ std::string Navigator::why_unreachable(Passages& passages) const {
             if (const auto at = passages.stand_at(checkpoint.feet, 2, 2); at && passages.route(*begin, *at))
                 last = checkpoint.section;
         return fmt::format(
-            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything that "
+            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything "
+            "that "
             "moves; the last section within reach is {}",
             last);
     }
@@ -135,9 +134,10 @@ void Navigator::notice(const game::Game& game) {
                 for (const game::MovingBody& body : game.bodies()) {
                     const game::BodyPlan& plan = atlas_->level().bodies[body.plan];
                     if (plan.kind != game::BodyKind::door || atlas_->door_area(body.plan) == 0) continue;
-                    const bool opens = !body.is_there ||
-                                       (plan.door.empty() ? game.coins() >= plan.coins
-                                                          : std::ranges::find(game.keys(), plan.door) != game.keys().end());
+                    const bool opens =
+                        !body.is_there ||
+                        (plan.door.empty() ? game.coins() >= plan.coins
+                                           : std::ranges::find(game.keys(), plan.door) != game.keys().end());
                     if (opens && passages_.query().mesh().areas()[atlas_->door_area(body.plan)].closed) {
                         passages_.open_door(atlas_->door_area(body.plan));
                         if (phase_ == Phase::walks) phase_ = Phase::thinks;
@@ -220,8 +220,9 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
     double nearest = 1e300;
     for (const game::Pickup& pickup : game.pickups()) {
         const game::PickupPlan& plan = level.pickups[pickup.plan];
-        const bool wanted = options_.collects ? plan.kind != game::PickupKind::heart
-                                              : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
+        const bool wanted =
+            options_.collects ? plan.kind != game::PickupKind::heart
+                              : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
         const int most = plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin;
         if (!wanted || pickup_failures_[pickup.plan] >= most) continue;
         const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);

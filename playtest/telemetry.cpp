@@ -164,10 +164,10 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;
-    told_.incidents.back().capture = capture_step(game.world(), game.settings(), game.last_input(), game::tick_seconds,
-                                                  game.hero_before().body);
-    told_.incidents.back().capture->note =
-        fmt::format("{} of {}: wants to go and gets nowhere, {:.1f} s into the run", told_.player, told_.level, game.seconds());
+    told_.incidents.back().capture =
+        capture_step(game.world(), game.settings(), game.last_input(), game::tick_seconds, game.hero_before().body);
+    told_.incidents.back().capture->note = fmt::format("{} of {}: wants to go and gets nowhere, {:.1f} s into the run",
+                                                       told_.player, told_.level, game.seconds());
 }
 
 void Observer::watch_sanity(const game::Game& game) {
@@ -179,7 +179,8 @@ void Observer::watch_sanity(const game::Game& game) {
     const std::size_t before = told_.incidents.size();
     if (!finite) add(Incident::Kind::not_a_number, game);
     if (events.has(CharacterEvent::overflow) || events.has(CharacterEvent::invalid))
-        add(Incident::Kind::overflow, game, game::Cause::none, events.has(CharacterEvent::invalid) ? "invalid" : "overflow");
+        add(Incident::Kind::overflow, game, game::Cause::none,
+            events.has(CharacterEvent::invalid) ? "invalid" : "overflow");
     // Who stands beyond the level's box stands on nothing that anybody built; who falls is on the way to fall out.
     const bool outside = place.x < box.min.x - escaped_by || place.x > box.max.x + escaped_by ||
                          place.z < box.min.z - escaped_by || place.z > box.max.z + escaped_by ||
