@@ -16,10 +16,10 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 5;     // of what is kept, and of what it is made with
+constexpr std::uint64_t atlas_version = 7;  // of what is kept, and of what it is made with
 constexpr Section leaps_section{.owner = "playtest", .name = "leaps"};
-constexpr std::size_t most_doors = 50;         // of the areas that a mesh can have
-constexpr double around_door = 0.25;           // beyond its box the ground is barred, too [m]
+constexpr std::size_t most_doors = 50;  // of the areas that a mesh can have
+constexpr double around_door = 0.25;    // beyond its box the ground is barred, too [m]
 
 // A mesh that can be kept: now and then Recast makes a polygon that is not convex, and reading refuses the whole mesh.
 // Other cells give other polygons.
@@ -29,8 +29,7 @@ Expected<NavigationMesh> build_mesh(const World& ground, const CharacterSettings
                                     const std::vector<NavigationRegion>& regions, int threads) {
     const double usual = navigation_agent(settings).radius / 4;
     auto mesh = NavigationMesh::build(
-        ground, settings,
-        {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
+        ground, settings, {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
     for (const double share : {0.95, 1.07, 0.9, 1.13}) {
         if (!mesh || NavigationMesh::read(mesh->to_bytes())) break;
         mesh = NavigationMesh::build(ground, settings,
@@ -57,6 +56,9 @@ Expected<std::shared_ptr<const Atlas>> Atlas::make(std::shared_ptr<const game::L
 
 Expected<void> Atlas::build(const AtlasOptions& options) {
     const auto start = std::chrono::steady_clock::now();
+    // The mesh goes through doors, and its areas say that they are shut; links and leaps do not.
+    World open;
+    if (const auto added = open.add(level_->ground); !added) return tl::unexpected(added.error());
     if (const auto added = ground_.add(level_->ground); !added) return tl::unexpected(added.error());
 
     std::vector<NavigationArea> areas{{.name = "ground"}};
@@ -64,6 +66,8 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
     for (std::size_t i = 0; i < level_->bodies.size() && areas.size() < most_doors; ++i) {
         const game::BodyPlan& body = level_->bodies[i];
         if (body.kind != game::BodyKind::door) continue;
+        if (const auto added = ground_.add(body.mesh, {.pose = {body.origin, {1, 0, 0, 0}}}); !added)
+            return tl::unexpected(added.error());
         const Bounds box = body.mesh.bounds();
         door_areas_[i] = std::uint32_t(areas.size());
         regions.push_back({.name = body.name,
@@ -74,7 +78,8 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         areas.push_back({.name = body.name, .closed = true});
     }
     std::vector<std::uint32_t> surface_areas;
-    for (const game::Material& material : level_->materials) surface_areas.push_back(material.deadly ? forbidden_area : 0);
+    for (const game::Material& material : level_->materials)
+        surface_areas.push_back(material.deadly ? forbidden_area : 0);
 
     const std::uint64_t key = hash_bytes(std::as_bytes(std::span(&level_->hash, 1)), atlas_version);
     const std::string path = options.use_cache && level_->hash != 0 ? cache_path(key) : std::string{};
@@ -92,7 +97,7 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         }
     }
     if (!from_cache_) {
-        auto mesh = build_mesh(ground_, settings_, areas, surface_areas, regions, options.threads);
+        auto mesh = build_mesh(open, settings_, areas, surface_areas, regions, options.threads);
         if (!mesh) return tl::unexpected(mesh.error());
         // One jump each: where it takes two, leaps do. Proving both as links would take minutes.
         CharacterSettings one_jump = settings_;
@@ -128,7 +133,7 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
 // Over the still ground alone: nothing that moves lends a hand, and nothing is in the way.
 Expected<void> Atlas::find_leaps() {
     auto still = std::make_shared<game::Level>(*level_);
-    still->bodies.clear();
+    std::erase_if(still->bodies, [](const game::BodyPlan& body) { return body.kind != game::BodyKind::door; });
     still->enemies.clear();
     auto foresight = Foresight::make(std::move(still));
     if (!foresight) return tl::unexpected(foresight.error());

@@ -33,6 +33,7 @@ public:
                                                                      const AtlasOptions& options = {});
 
     [[nodiscard]] const game::Level& level() const { return *level_; }
+    /// The still ground, with all doors shut.
     [[nodiscard]] const World& ground() const { return ground_; }
     [[nodiscard]] const CharacterSettings& settings() const { return settings_; }
 

@@ -8,11 +8,11 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr double beside = 1.6;       // the water, aside [m]
-constexpr double leaps_out = 1.1;    // so high above its surface [m]
-constexpr double deepest = 1.2;      // a bank lies so far below it at most, where one wades [m]
-constexpr double jumps_in = 6;       // from so high above it [m]
-constexpr double swims = 3;          // m/s, with all its turns
+constexpr double beside = 1.6;     // the water, aside [m]
+constexpr double leaps_out = 1.1;  // so high above its surface [m]
+constexpr double deepest = 1.2;    // a bank lies so far below it at most, where one wades [m]
+constexpr double jumps_in = 6;     // from so high above it [m]
+constexpr double swims = 1.5;      // m/s, with all its turns; what a level names is the better way
 
 }  // namespace
 

@@ -67,8 +67,7 @@ private:
             runs_[std::size_t(bot)].push_back({std::move(run->telemetry), std::move(run->recording)});
             const std::lock_guard lock(mutex_);
             told_ += runs_[std::size_t(bot)].back().telemetry.seconds;
-            if (options_.progress)
-                options_.progress(std::min(1.0, told_ / std::max(1.0, options_.hours * 3600)));
+            if (options_.progress) options_.progress(std::min(1.0, told_ / std::max(1.0, options_.hours * 3600)));
             if (runs_[std::size_t(bot)].back().telemetry.seconds == 0) break;  // it gave up before it began
         }
         return {};
@@ -93,13 +92,13 @@ std::size_t Findings::count(Incident::Kind kind) const {
 }
 
 std::size_t Findings::navigators() const {
-    return std::size_t(std::ranges::count(runs, "navigator", [](const PlayedRun& run) { return run.telemetry.player; }));
+    return std::size_t(
+        std::ranges::count(runs, "navigator", [](const PlayedRun& run) { return run.telemetry.player; }));
 }
 
 std::size_t Findings::navigators_won() const {
-    return std::size_t(std::ranges::count_if(runs, [](const PlayedRun& run) {
-        return run.telemetry.player == "navigator" && run.telemetry.won;
-    }));
+    return std::size_t(std::ranges::count_if(
+        runs, [](const PlayedRun& run) { return run.telemetry.player == "navigator" && run.telemetry.won; }));
 }
 
 bool Findings::is_fine() const {

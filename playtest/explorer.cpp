@@ -29,7 +29,8 @@ void Explorer::look_for_new(const game::Game& game) {
                 const auto found = been_.find(cell_of(place + dvec3{0, up * cell, 0}));
                 if (found != been_.end()) score += found->second;
             }
-            const bool ground = game.world().ray_any({place + dvec3{0, 2, 0}, place - dvec3{0, 5, 0}}, {.begin = 1, .end = 1});
+            const bool ground =
+                game.world().ray_any({place + dvec3{0, 2, 0}, place - dvec3{0, 5, 0}}, {.begin = 1, .end = 1});
             if (!ground) score += far < 3 ? 60 : 200 / far;
         }
         if (score < best) {

@@ -33,7 +33,7 @@ private:
     int jump_for_ = 0;
     int dash_for_ = 0;
     int crouch_for_ = 0;
-    double jumps_ = 0;  ///< chance in a tick
+    double jumps_ = 0;                                  ///< chance in a tick
     std::map<std::array<int, 3>, std::uint32_t> been_;  ///< by cells of two metres, how many ticks
 };
 

@@ -36,9 +36,8 @@ Expected<std::unique_ptr<Foresight>> Foresight::make(std::shared_ptr<const game:
         made->bodies_[i].handle = *added;
     }
     made->has_harm_ = std::ranges::any_of(from.materials, &game::Material::deadly) ||
-                      std::ranges::any_of(from.bodies, [](const game::BodyPlan& body) {
-                          return body.kind == game::BodyKind::hazard;
-                      });
+                      std::ranges::any_of(
+                          from.bodies, [](const game::BodyPlan& body) { return body.kind == game::BodyKind::hazard; });
     return made;
 }
 
@@ -91,8 +90,7 @@ bool Foresight::tick(const game::HeroInput& input) {
     const dvec3 middle = hero_.body.position;
     const game::HeroPlace place{.under_water = wet(middle), .near_surface = !wet(middle + dvec3{0, 0.7, 0})};
     const CharacterInput told = game::told(hero_, input, place, settings_);
-    const StepResult result =
-        step(world_, game::settings_now(settings_, hero_), told, game::tick_seconds, hero_.body);
+    const StepResult result = step(world_, game::settings_now(settings_, hero_), told, game::tick_seconds, hero_.body);
     hero_.body = result.state;
     hero_.events = result.events;
     if (hero_.body.footing == Footing::ground) {

@@ -10,9 +10,9 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::size_t tries = 4;         // from one island to another
-constexpr double apart = 1.5;            // between two of them [m]
-constexpr double inset = 0.45;           // of where it begins and ends, from the edge [m]
+constexpr std::size_t tries = 4;  // from one island to another
+constexpr double apart = 1.5;     // between two of them [m]
+constexpr double inset = 0.45;    // of where it begins and ends, from the edge [m]
 
 struct Candidate {
     Leap leap;
@@ -38,14 +38,13 @@ std::vector<Leap> Passages::find_leaps(Foresight& foresight) const {
         for (const Border& to : borders_) {
             if (from.island == to.island) continue;
             const dvec3 way = to.place - from.place;
-            if (std::abs(way.x) > 8 || std::abs(way.z) > 8 || way.y > 4 || way.y < -6) continue;
+            if (std::abs(way.x) > 8 || std::abs(way.z) > 8 || way.y > 4 || way.y < -16) continue;
             const double gap = std::max(0.0, flat_length(way) - 0.7);
             if (!is_in_reach(gap, way.y) || linked.contains({from.island, to.island})) continue;
             const double effort = gap + 1.5 * std::max(0.0, way.y);
             auto& best = found[{from.island, to.island}];
-            const auto near = std::ranges::find_if(best, [&](const Candidate& other) {
-                return length(other.leap.from - from.place) < apart;
-            });
+            const auto near = std::ranges::find_if(
+                best, [&](const Candidate& other) { return length(other.leap.from - from.place) < apart; });
             if (near != best.end() ? effort >= near->effort : best.size() >= tries && effort >= best.back().effort)
                 continue;
             if (near != best.end()) best.erase(near);
@@ -81,8 +80,8 @@ void Passages::add_leaps() {
         const auto to = stand_at(leap.to);
         if (!from || !to) continue;
         const double gap = std::max(0.0, flat_length(leap.to - leap.from) - 0.9);
-        all_.push_back({Passage::How::leap, *from, *to, game::Manoeuvre::ride, gap, leap.to.y - leap.from.y,
-                        2 + 0.3 * gap});
+        all_.push_back(
+            {Passage::How::leap, *from, *to, game::Manoeuvre::ride, gap, leap.to.y - leap.from.y, 2 + 0.3 * gap});
     }
 }
 

@@ -23,10 +23,12 @@ private:
 
     game::Manoeuvre how_ = game::Manoeuvre::swim;
     dvec3 to_{0, 0, 0};
-    dvec3 wall_{0, 0, 0};  ///< towards the wall that it goes for next; level, unit
+    dvec3 along_{0, 0, 0};  ///< between the walls; level, unit
+    dvec3 wall_{0, 0, 0};   ///< towards the wall that it goes for next; level, unit
     int ticks_ = 0;
     int jump_for_ = 0;
     int rest_for_ = 0;
+    int back_for_ = 0;
 };
 
 }  // namespace surefoot::playtest

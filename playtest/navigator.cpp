@@ -11,6 +11,8 @@ namespace surefoot::playtest {
 namespace {
 
 constexpr int failures_until_banned = 4;
+constexpr int tries_for_key = 40;
+constexpr int tries_for_coin = 2;
 constexpr int reaction = 9;        // ticks
 constexpr int between_plans = 20;  // that found no way [ticks]
 
@@ -32,8 +34,7 @@ Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas
     if (!passages) return tl::unexpected(passages.error());
     auto trial = Passages::make(*atlas);
     if (!trial) return tl::unexpected(trial.error());
-    auto foresight =
-        Foresight::make(std::shared_ptr<const game::Level>(atlas, &atlas->level()));
+    auto foresight = Foresight::make(std::shared_ptr<const game::Level>(atlas, &atlas->level()));
     if (!foresight) return tl::unexpected(foresight.error());
     std::unique_ptr<Navigator> made(
         new Navigator(std::move(atlas), options, std::move(*passages), std::move(*foresight)));
@@ -63,11 +64,10 @@ std::string Navigator::why_unreachable(Passages& passages) const {
         for (std::size_t i = 0; i < level.bodies.size(); ++i) {
             const game::BodyPlan& door = level.bodies[i];
             if (door.kind != game::BodyKind::door || opened[i]) continue;
-            const bool may = door.door.empty() ? coins() >= door.coins
-                                               : std::ranges::any_of(level.pickups, [&](const auto& pickup) {
-                                                     return pickup.kind == game::PickupKind::key &&
-                                                            pickup.door == door.door && can_take(pickup);
-                                                 });
+            const bool may =
+                door.door.empty() ? coins() >= door.coins : std::ranges::any_of(level.pickups, [&](const auto& pickup) {
+                    return pickup.kind == game::PickupKind::key && pickup.door == door.door && can_take(pickup);
+                });
             if (!may) continue;
             passages.open_door(atlas_->door_area(i));
             opened[i] = true;
@@ -80,7 +80,8 @@ std::string Navigator::why_unreachable(Passages& passages) const {
             if (const auto at = passages.stand_at(checkpoint.feet, 2, 2); at && passages.route(*begin, *at))
                 last = checkpoint.section;
         return fmt::format(
-            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything that "
+            "goal unreachable: from the spawn no way leads there, neither on foot, by links or jumps, nor on anything "
+            "that "
             "moves; the last section within reach is {}",
             last);
     }
@@ -133,9 +134,10 @@ void Navigator::notice(const game::Game& game) {
                 for (const game::MovingBody& body : game.bodies()) {
                     const game::BodyPlan& plan = atlas_->level().bodies[body.plan];
                     if (plan.kind != game::BodyKind::door || atlas_->door_area(body.plan) == 0) continue;
-                    const bool opens = !body.is_there ||
-                                       (plan.door.empty() ? game.coins() >= plan.coins
-                                                          : std::ranges::find(game.keys(), plan.door) != game.keys().end());
+                    const bool opens =
+                        !body.is_there ||
+                        (plan.door.empty() ? game.coins() >= plan.coins
+                                           : std::ranges::find(game.keys(), plan.door) != game.keys().end());
                     if (opens && passages_.query().mesh().areas()[atlas_->door_area(body.plan)].closed) {
                         passages_.open_door(atlas_->door_area(body.plan));
                         if (phase_ == Phase::walks) phase_ = Phase::thinks;
@@ -144,6 +146,10 @@ void Navigator::notice(const game::Game& game) {
                 if (event.what != game::Happening::took_coin) since_better_ = 0;
                 break;
             case game::Happening::checkpoint:
+                best_left_ = 1e300;
+                since_better_ = 0;
+                if (phase_ == Phase::walks && step_ >= plan_.size()) phase_ = Phase::thinks;
+                break;
             case game::Happening::took_star:
                 since_better_ = 0;
                 break;
@@ -214,9 +220,11 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
     double nearest = 1e300;
     for (const game::Pickup& pickup : game.pickups()) {
         const game::PickupPlan& plan = level.pickups[pickup.plan];
-        const bool wanted = options_.collects ? plan.kind != game::PickupKind::heart
-                                              : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
-        if (!wanted || pickup_failures_[pickup.plan] > 1) continue;
+        const bool wanted =
+            options_.collects ? plan.kind != game::PickupKind::heart
+                              : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
+        const int most = plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin;
+        if (!wanted || pickup_failures_[pickup.plan] >= most) continue;
         const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
         if (far >= nearest) continue;
         const auto at = passages_.stand_at(plan.place - dvec3{0, 0.8, 0}, 0.8, 1.4);
@@ -232,6 +240,16 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         return at && plan_to(from, *at);
     }
     target_pickup_.reset();
+    // By way of the next checkpoint: whoever cuts corners begins anew from far back.
+    if (reaches)
+        for (std::uint32_t i = game.checkpoint() + 1; i < level.checkpoints.size(); ++i) {
+            if (checkpoint_tries_[i] > 12) continue;
+            const auto at = passages_.stand_at(level.checkpoints[i].feet, 1.5, 1.5);
+            if (!at || !passages_.route(*at, *goal, banned_) || !plan_to(from, *at)) continue;
+            ++checkpoint_tries_[i];
+            doing_ = fmt::format("goes for the checkpoint of {}", level.checkpoints[i].section);
+            return true;
+        }
     doing_ = "goes for the goal";
     return reaches && plan_to(from, *goal);
 }

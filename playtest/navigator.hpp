@@ -85,18 +85,20 @@ private:
     Stand hop_to_;
     Manoeuvring manoeuvring_;
     Reaction enemy_near_;
-    std::map<std::uint32_t, int> failures_;        ///< of passages
-    std::map<std::uint32_t, int> pickup_failures_; ///< of pickups that it went for
+    std::map<std::uint32_t, int> failures_;         ///< of passages
+    std::map<std::uint32_t, int> pickup_failures_;  ///< of pickups that it went for
+    std::map<std::uint32_t, int> checkpoint_tries_;
     std::vector<std::uint32_t> banned_;
-    int pause_ = 0;         ///< ticks until it reacts
-    int waited_ = 0;        ///< ticks
+    int pause_ = 0;   ///< ticks until it reacts
+    int waited_ = 0;  ///< ticks
     int phase_ticks_ = 0;
-    int stands_for_ = 0;    ///< ticks on what it hopped to
+    int stands_for_ = 0;  ///< ticks on what it hopped to
     int style_turn_ = 0;
-    int jump_for_ = 0;      ///< over an enemy [ticks]
-    int save_for_ = 0;      ///< a jump in the air [ticks]
-    int think_in_ = 0;      ///< ticks until it plans again
-    int lost_for_ = 0;      ///< ticks without ground of the mesh
+    int jump_for_ = 0;  ///< over an enemy [ticks]
+    int save_for_ = 0;  ///< a jump in the air [ticks]
+    int wet_for_ = 0;   ///< ticks under water on what was to be a walk
+    int think_in_ = 0;  ///< ticks until it plans again
+    int lost_for_ = 0;  ///< ticks without ground of the mesh
     double best_left_ = 1e300;
     double since_better_ = 0;
 };

@@ -10,11 +10,11 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr int between_tries = 6;        // ticks
-constexpr int longest_wait = 60 * 30;   // ticks
-constexpr int longest_hop = 60 * 4;     // ticks
+constexpr int between_tries = 8;          // ticks
+constexpr int longest_wait = 60 * 30;     // ticks
+constexpr int longest_hop = 60 * 4;       // ticks
 constexpr double longest_manoeuvre = 25;  // s
-constexpr int hops_kept = 4;              // styles that are rehearsed at a time
+constexpr int hops_kept = 3;              // styles that are rehearsed at a time
 
 bool holds_crouch(game::Manoeuvre how) {
     return how == game::Manoeuvre::crouch;
@@ -61,7 +61,8 @@ void Navigator::next_step(const game::Game& game) {
 }
 
 Intent Navigator::walk(const game::Game& game) {
-    const CharacterInput told = follower_.input(passages_.query(), game.hero().body, game.settings(), game::tick_seconds);
+    const CharacterInput told =
+        follower_.input(passages_.query(), game.hero().body, game.settings(), game::tick_seconds);
     if (follower_.status() == NavigationFollowStatus::arrived) {
         if (step_ < plan_.size()) {
             const Passage& passage = passages_.all()[plan_[step_]];
@@ -87,6 +88,11 @@ Intent Navigator::walk(const game::Game& game) {
     if (follower_.status() != NavigationFollowStatus::following || phase_ticks_ > 60 * 90) {
         fail(game);
         return find_back(game);
+    }
+    wet_for_ = game.hero().in_water ? wet_for_ + 1 : 0;
+    if (wet_for_ > 30) {  // fell in: that is no walk any more
+        wet_for_ = 0;
+        phase_ = Phase::thinks;
     }
     Intent intent;
     intent.move = flat(told.wish) / game::run_speed;
@@ -144,9 +150,8 @@ Intent Navigator::wait(const game::Game& game) {
         const dvec3 way = flat(passage.from.place - game.feet());
         if (length(way) > 0.6) intent.move = unit(way) * 0.5;
     }
-    const dvec3 look = (passage.to.body == on_ground ? passage.to.place
-                                                     : foresight_->pose(passage.to.body).position) -
-                       game.feet();
+    const dvec3 look =
+        (passage.to.body == on_ground ? passage.to.place : foresight_->pose(passage.to.body).position) - game.feet();
     intent.look = look;
     if (passage.from.body != on_ground && waited_ % 2 == 0) avoid_what_comes(game, passage.from.body);
     if (phase_ == Phase::waits && waited_ % between_tries == 0) try_to_hop(game);
@@ -193,15 +198,13 @@ HopAim Navigator::aim_of(const Stand& to, const dvec3& feet) const {
 }
 
 bool Navigator::is_on(const game::Hero& hero, const dvec3& feet, const Stand& to) const {
-    return stands_on(*foresight_, spots_of(to), hero, feet,
-                     to);
+    return stands_on(*foresight_, spots_of(to), hero, feet, to);
 }
 
 bool Navigator::goes_well(const game::Game& game, const HopStyle& style, const Stand& to) {
     const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
     return rehearse(
-        *foresight_, [&] { foresight_->look(game); }, game.settings(),
-        spots_of(to), style, to, throws);
+        *foresight_, [&] { foresight_->look(game); }, game.settings(), spots_of(to), style, to, throws);
 }
 
 void Navigator::try_to_hop(const game::Game& game) {
@@ -215,8 +218,8 @@ void Navigator::try_to_hop(const game::Game& game) {
     const bool stands = passage.from.body != on_ground;
     // Somebody who stands on a platform walks to its edge while hopping: what counts is how near the two come.
     const double room = stands ? 2.2 : 0.5;
-    if (!dashes && (!is_in_reach(std::max(0.0, gap - room), rise) ||
-                    (!impatient && gap > passage.gap + room + 1.2) || (!impatient && std::abs(rise - passage.rise) > 1.6)))
+    if (!dashes && (!is_in_reach(std::max(0.0, gap - room), rise) || (!impatient && gap > passage.gap + room + 1.2) ||
+                    (!impatient && std::abs(rise - passage.rise) > 1.6)))
         return;
     const std::vector<HopStyle> styles = styles_for(gap, rise, dashes);
     const int count = int(styles.size());
@@ -232,6 +235,9 @@ void Navigator::try_to_hop(const game::Game& game) {
         return;
     }
     style_turn_ += hops_kept;
+    // Nothing changes by itself where nothing moves: from another place, then.
+    const bool still = passage.from.body == on_ground && passage.to.body == on_ground;
+    if (still && style_turn_ > 2 * count + hops_kept) fail(game);
     foresight_->look(game);
 }
 
@@ -243,7 +249,8 @@ void Navigator::avoid_what_comes(const game::Game& game, std::uint32_t body) {
     const dvec3 velocity = ((*found).now.position - (*found).before.position) / game::tick_seconds;
     if (flat_length(velocity) < 0.3) return;
     const dvec3 from = game.hero().body.position + dvec3{0, 0.05, 0};
-    const auto hit = game.world().sweep(game.settings().volume, {from, from + velocity * 0.6}, {.layers = 1, .begin = 1, .end = 1});
+    const auto hit =
+        game.world().sweep(game.settings().volume, {from, from + velocity * 0.6}, {.layers = 1, .begin = 1, .end = 1});
     if (!hit || dot(hit->normal, velocity) > -0.4 * length(velocity)) return;
     const Stand same{.body = body, .place = game.feet()};
     for (const HopStyle& style : {HopStyle{.takeoff = 1000}, HopStyle{.takeoff = 1000, .air_jumps = 1}}) {
@@ -262,8 +269,10 @@ Intent Navigator::hop(const game::Game& game) {
     foresight_->look(game);
     const game::Hero& hero = game.hero();
     const bool there = is_on(hero, game.feet(), hop_to_);
-    const bool throws = hop_to_.body != on_ground && atlas_->level().bodies[hop_to_.body].kind == game::BodyKind::bounce;
-    const bool same = hop_to_.body != on_ground && step_ < plan_.size() && passages_.all()[plan_[step_]].from.body == hop_to_.body;
+    const bool throws =
+        hop_to_.body != on_ground && atlas_->level().bodies[hop_to_.body].kind == game::BodyKind::bounce;
+    const bool same =
+        hop_to_.body != on_ground && step_ < plan_.size() && passages_.all()[plan_[step_]].from.body == hop_to_.body;
     stands_for_ = there && (!same || hop_.is_under_way()) ? stands_for_ + 1 : 0;
     if (there && (throws || stands_for_ > 4) && (!same || stands_for_ > 2)) {
         if (same && passages_.all()[plan_[step_]].how != Passage::How::fly) {  // over what came; still on board

@@ -13,11 +13,11 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr double between_spots = 0.45;    // on a body [m]
-constexpr double between_borders = 1.2;   // along the mesh [m]
-constexpr double farthest_gap = 6;        // by two jumps [m]
-constexpr double deepest_drop = 6;        // that is jumped down on to a body or off it [m]
-constexpr int samples = 32;               // of a round
+constexpr double between_spots = 0.45;   // on a body [m]
+constexpr double between_borders = 1.2;  // along the mesh [m]
+constexpr double farthest_gap = 6;       // by two jumps [m]
+constexpr double deepest_drop = 16;      // that is jumped down [m]
+constexpr int samples = 32;              // of a round
 
 std::vector<double> clocks_of(const game::BodyPlan& plan) {
     double round = game::round_time(plan.route);
@@ -61,14 +61,18 @@ Expected<Passages> Passages::make(const Atlas& atlas) {
 }
 
 std::uint32_t Passages::island_of(NavigationPolygon polygon) const {
-    const auto at = std::ranges::lower_bound(island_by_polygon_, polygon.id, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
-    return at != island_by_polygon_.end() && at->first == polygon.id ? at->second : std::numeric_limits<std::uint32_t>::max();
+    const auto at =
+        std::ranges::lower_bound(island_by_polygon_, polygon.id, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+    return at != island_by_polygon_.end() && at->first == polygon.id ? at->second
+                                                                     : std::numeric_limits<std::uint32_t>::max();
 }
 
 // Pieces of ground that are one on foot, and where they end.
 void Passages::find_islands() {
     const std::span<const NavigationArea> areas = mesh_->areas();
-    const auto is_open = [&](const NavigationOutline& outline) { return !outline.taken_out && !areas[outline.area].closed; };
+    const auto is_open = [&](const NavigationOutline& outline) {
+        return !outline.taken_out && !areas[outline.area].closed;
+    };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> place;
     for (std::uint32_t i = 0; i < outlines_.size(); ++i) place.push_back({outlines_[i].polygon.id, i});
     std::ranges::sort(place);
@@ -81,14 +85,16 @@ void Passages::find_islands() {
     for (std::uint32_t i = 0; i < outlines_.size(); ++i) {
         if (!is_open(outlines_[i])) continue;
         for (std::uint32_t side = 0; side < outlines_[i].corners; ++side) {
-            const auto at = std::ranges::lower_bound(place, outlines_[i].beside[side].id, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+            const auto at = std::ranges::lower_bound(place, outlines_[i].beside[side].id, {},
+                                                     &std::pair<std::uint32_t, std::uint32_t>::first);
             if (at != place.end() && at->first == outlines_[i].beside[side].id && is_open(outlines_[at->second]))
                 parent[root(i)] = root(at->second);
         }
     }
     islands_ = std::uint32_t(outlines_.size());
     island_by_polygon_.clear();
-    for (std::uint32_t i = 0; i < outlines_.size(); ++i) island_by_polygon_.push_back({outlines_[i].polygon.id, root(i)});
+    for (std::uint32_t i = 0; i < outlines_.size(); ++i)
+        island_by_polygon_.push_back({outlines_[i].polygon.id, root(i)});
     std::ranges::sort(island_by_polygon_);
 
     borders_.clear();
@@ -200,7 +206,8 @@ std::vector<Passages::Border> Passages::beside_body(const std::vector<dvec3>& ri
     std::vector<Border> found;
     for (std::size_t i = 0; i < rims.size(); i += 1 + rims.size() / directions) {
         const dvec3 out = unit(flat(rims[i] - middle));
-        if (const auto at = query_->nearest(rims[i] + out * 1.0, 0.3, 1.3)) found.push_back({at->position, island_of(at->polygon)});
+        if (const auto at = query_->nearest(rims[i] + out * 1.0, 0.3, 1.3))
+            found.push_back({at->position, island_of(at->polygon)});
     }
     return found;
 }
@@ -234,7 +241,7 @@ void Passages::find_rides_of(std::size_t body) {
         for (const Border& border : beside) {
             if (border.place.x < around.min.x - farthest_gap - 1 || border.place.x > around.max.x + farthest_gap + 1 ||
                 border.place.z < around.min.z - farthest_gap - 1 || border.place.z > around.max.z + farthest_gap + 1 ||
-                std::abs(border.place.y - around.min.y) > 14)
+                std::abs(border.place.y - around.min.y) > 20)
                 continue;
             double gap = std::numeric_limits<double>::max();
             dvec3 nearest = rims.front();
@@ -249,7 +256,8 @@ void Passages::find_rides_of(std::size_t body) {
             const bool gets_off = throws ? false : is_in_reach(gap, -rise);
             if (!gets_on && !gets_off) continue;
             auto found = std::ranges::find(best, border.island, &Best::island);
-            if (found == best.end()) found = best.insert(best.end(), Best{.island = border.island, .on = {}, .off = {}});
+            if (found == best.end())
+                found = best.insert(best.end(), Best{.island = border.island, .on = {}, .off = {}});
             const double on_cost = effort(gap, rise);
             const double off_cost = effort(gap, -rise);
             const bool better_on = gets_on && on_cost < found->on_cost - 1e-3;
@@ -263,7 +271,8 @@ void Passages::find_rides_of(std::size_t body) {
             }
             if (better_off) {
                 found->off_cost = off_cost;
-                found->off = {Passage::How::alight, here, there, game::Manoeuvre::ride, gap, -rise, off_cost + round / 2};
+                found->off = {Passage::How::alight, here, there, game::Manoeuvre::ride, gap, -rise,
+                              off_cost + round / 2};
             }
         }
     }
@@ -292,7 +301,13 @@ void Passages::find_transfers() {
                         if (!is_in_reach(gap, end.y - begin.y) || effort(gap, end.y - begin.y) >= best - 1e-3) continue;
                         if (is_walled(begin, end)) continue;
                         best = effort(gap, end.y - begin.y);
-                        found = {Passage::How::transfer, {.body = std::uint32_t(a), .place = begin}, {.body = std::uint32_t(b), .place = end}, game::Manoeuvre::ride, gap, end.y - begin.y, best};
+                        found = {Passage::How::transfer,
+                                 {.body = std::uint32_t(a), .place = begin},
+                                 {.body = std::uint32_t(b), .place = end},
+                                 game::Manoeuvre::ride,
+                                 gap,
+                                 end.y - begin.y,
+                                 best};
                     }
             };
             if (independent) {
@@ -324,8 +339,15 @@ void Passages::find_ways() {
         if (way.how == game::Manoeuvre::bounce) {
             for (std::size_t i = 0; i < level.bodies.size(); ++i)
                 if (level.bodies[i].kind == game::BodyKind::bounce && !spots_[i].empty() &&
-                    flat_length(level.bodies[i].origin - way.from) < 4 && std::abs(level.bodies[i].origin.y - way.from.y) < 4)
-                    all_.push_back({Passage::How::fly, {.body = std::uint32_t(i), .place = level.bodies[i].origin}, *to, way.how, 0, 0, seconds});
+                    flat_length(level.bodies[i].origin - way.from) < 4 &&
+                    std::abs(level.bodies[i].origin.y - way.from.y) < 4)
+                    all_.push_back({Passage::How::fly,
+                                    {.body = std::uint32_t(i), .place = level.bodies[i].origin},
+                                    *to,
+                                    way.how,
+                                    0,
+                                    0,
+                                    seconds});
             continue;
         }
         if (from) all_.push_back({Passage::How::way, *from, *to, way.how, 0, way.to.y - way.from.y, seconds});
@@ -340,15 +362,24 @@ void Passages::find_ways() {
         for (const Border& border : borders_) {
             const double rise = border.place.y - top.y;
             const double far = flat_length(border.place - top);
-            if (rise < -2 || rise > height - 0.4 || far > 5 || is_walled(top + dvec3{0, std::max(0.0, rise), 0}, border.place)) continue;
-            const auto same = std::ranges::find_if(found, [&](const auto& other) { return other.second.island == border.island; });
+            if (rise < -2 || rise > height - 0.4 || far > 5 ||
+                is_walled(top + dvec3{0, std::max(0.0, rise), 0}, border.place))
+                continue;
+            const auto same =
+                std::ranges::find_if(found, [&](const auto& other) { return other.second.island == border.island; });
             if (same == found.end())
                 found.push_back({far, border});
             else if (far < same->first)
                 *same = {far, border};
         }
         for (const auto& [far, border] : found)
-            all_.push_back({Passage::How::fly, {.body = std::uint32_t(i), .place = top}, {.place = border.place, .island = border.island}, game::Manoeuvre::bounce, far, border.place.y - top.y, 2.5});
+            all_.push_back({Passage::How::fly,
+                            {.body = std::uint32_t(i), .place = top},
+                            {.place = border.place, .island = border.island},
+                            game::Manoeuvre::bounce,
+                            far,
+                            border.place.y - top.y,
+                            2.5});
     }
 }
 

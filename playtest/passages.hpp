@@ -22,9 +22,9 @@ struct Passage {
     Stand from;
     Stand to;
     game::Manoeuvre manoeuvre = game::Manoeuvre::ride;  ///< of a way
-    double gap = 0;      ///< at its narrowest, seen from above [m]
-    double rise = 0;     ///< there [m]
-    double seconds = 1;  ///< about what it takes
+    double gap = 0;                                     ///< at its narrowest, seen from above [m]
+    double rise = 0;                                    ///< there [m]
+    double seconds = 1;                                 ///< about what it takes
 };
 
 /// A plan: over these passages, by number, and then on foot.
@@ -51,7 +51,7 @@ public:
 
     /// The quickest way by what it about takes; nothing if there is none. Over none of `without`.
     [[nodiscard]] std::optional<Itinerary> route(const Stand& from, const Stand& to,
-                                             std::span<const std::uint32_t> without = {}) const;
+                                                 std::span<const std::uint32_t> without = {}) const;
 
     /// Who swims stands on nothing; each water of the level has a number behind those of the bodies.
     [[nodiscard]] std::uint32_t water_number(std::size_t water) const;
@@ -59,7 +59,6 @@ public:
 
     /// Places of a body's mesh where feet can stand, relative to its origin.
     [[nodiscard]] std::span<const dvec3> spots(std::size_t body) const { return spots_[body]; }
-
 
 private:
     struct Border {

@@ -18,7 +18,8 @@ double walk_time(const dvec3& from, const dvec3& to) {
 
 }  // namespace
 
-std::optional<Itinerary> Passages::route(const Stand& from, const Stand& to, std::span<const std::uint32_t> without) const {
+std::optional<Itinerary> Passages::route(const Stand& from, const Stand& to,
+                                         std::span<const std::uint32_t> without) const {
     // Nodes: the ends of links, then those of passages, and the goal last. A node is where somebody stands who has just
     // gone over it; -1 is where the way begins.
     const std::size_t links = links_.size();
@@ -36,13 +37,15 @@ std::optional<Itinerary> Passages::route(const Stand& from, const Stand& to, std
             for (std::size_t i = 0; i < links; ++i)
                 if (!done[i] && links_[i].from_island == stand.island)
                     reach(i, at + walk_time(stand.place, links_[i].from) + links_[i].seconds, by);
-            if (to.body == on_ground && to.island == stand.island) reach(goal, at + walk_time(stand.place, to.place), by);
+            if (to.body == on_ground && to.island == stand.island)
+                reach(goal, at + walk_time(stand.place, to.place), by);
         } else if (to.body == stand.body) {
             reach(goal, at, by);
         }
         for (std::size_t i = 0; i < all_.size(); ++i) {
             const Stand& begin = all_[i].from;
-            if (done[links + i] || begin.body != stand.body || (begin.body == on_ground && begin.island != stand.island))
+            if (done[links + i] || begin.body != stand.body ||
+                (begin.body == on_ground && begin.island != stand.island))
                 continue;
             const double walk = begin.body == on_ground ? walk_time(stand.place, begin.place) : 0;
             reach(links + i, at + walk + all_[i].seconds, by);

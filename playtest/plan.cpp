@@ -107,10 +107,13 @@ private:
         depth_[at] = height;
         const double share = (height - low_) / (high_ - low_);
         // From slate in the deep to pale on high; what moves is blue.
-        const std::array<double, 3> deep = moves ? std::array<double, 3>{70, 90, 190} : std::array<double, 3>{96, 102, 116};
-        const std::array<double, 3> pale = moves ? std::array<double, 3>{140, 165, 250} : std::array<double, 3>{244, 240, 228};
+        const std::array<double, 3> deep =
+            moves ? std::array<double, 3>{70, 90, 190} : std::array<double, 3>{96, 102, 116};
+        const std::array<double, 3> pale =
+            moves ? std::array<double, 3>{140, 165, 250} : std::array<double, 3>{244, 240, 228};
         for (std::size_t i = 0; i < 3; ++i)
-            picture_.rgba[4 * at + i] = std::uint8_t(std::clamp((deep[i] + (pale[i] - deep[i]) * share) * light, 0.0, 255.0));
+            picture_.rgba[4 * at + i] =
+                std::uint8_t(std::clamp((deep[i] + (pale[i] - deep[i]) * share) * light, 0.0, 255.0));
         picture_.rgba[4 * at + 3] = 255;
     }
 

@@ -10,6 +10,7 @@ namespace surefoot::playtest {
 namespace {
 
 constexpr int longest_hop = 60 * 4;  // ticks
+constexpr int longest_run_up = 75;   // ticks
 
 }  // namespace
 
@@ -29,7 +30,8 @@ HopAim aim_at(const Foresight& foresight, std::span<const dvec3> spots, const St
     return {.place = place, .velocity = foresight.velocity(to.body, place)};
 }
 
-bool stands_on(const Foresight& foresight, std::span<const dvec3> spots, const game::Hero& hero, const dvec3& feet, const Stand& to) {
+bool stands_on(const Foresight& foresight, std::span<const dvec3> spots, const game::Hero& hero, const dvec3& feet,
+               const Stand& to) {
     if (to.body != on_ground && to.body >= foresight.body_count()) return hero.in_water;
     if (hero.body.footing != Footing::ground) return false;
     const std::size_t body = foresight.body_of(hero.body.ground_body);
@@ -51,16 +53,19 @@ bool rehearse(Foresight& foresight, const std::function<void()>& reset, const Ch
         int stood = 0;
         int fell_short = 0;
         for (int i = 0; i < longest_hop && stood < steady; ++i) {
-            const Intent intent = trial.tick(foresight.hero(), foresight.feet(), settings,
-                                             foresight.world(), aim_at(foresight, spots, to, foresight.feet()));
+            const Intent intent = trial.tick(foresight.hero(), foresight.feet(), settings, foresight.world(),
+                                             aim_at(foresight, spots, to, foresight.feet()));
             if (!foresight.tick(hands.act(intent))) return false;
             const bool there = stands_on(foresight, spots, foresight.hero(), foresight.feet(), to);
             if (there && throws) return true;
             // Whoever never left the ground it stood on has not got anywhere yet.
             stood = there && (trial.is_under_way() || to.body != on_ground || i > 10) ? stood + 1 : 0;
-            const double low = std::min(to.body == on_ground ? to.place.y : aim_at(foresight, spots, to, foresight.feet()).place.y,
-                                        start);
-            if (foresight.feet().y < low - 3.5) return false;
+            if (!trial.is_under_way() && stood == 0 && i > longest_run_up) return false;
+            const double low = std::min(
+                to.body == on_ground ? to.place.y : aim_at(foresight, spots, to, foresight.feet()).place.y, start);
+            const CharacterState& body = foresight.hero().body;
+            const bool sinks = body.footing == Footing::air && body.velocity.y < -4 && body.air_jumps_left == 0;
+            if (foresight.feet().y < low - (sinks ? 1.8 : 3.5)) return false;
             const bool elsewhere = trial.is_under_way() && !there && foresight.hero().body.footing == Footing::ground;
             fell_short = elsewhere ? fell_short + 1 : 0;
             if (fell_short > 25) return false;

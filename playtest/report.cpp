@@ -55,8 +55,8 @@ void add_summary(std::string& out, const Findings& of) {
     if (!times.empty())
         row("Times", fmt::format("fastest {}, median {}, slowest {}; par {}", minutes(times.front()),
                                  minutes(times[times.size() / 2]), minutes(times.back()), minutes(of.level->par)));
-    for (const auto kind : {Incident::Kind::stuck, Incident::Kind::escape, Incident::Kind::not_a_number,
-                            Incident::Kind::overflow})
+    for (const auto kind :
+         {Incident::Kind::stuck, Incident::Kind::escape, Incident::Kind::not_a_number, Incident::Kind::overflow})
         row(std::string(name_of(kind)), verdict(of.count(kind) == 0, std::to_string(of.count(kind))));
     row("Failed jumps", std::to_string(of.count(Incident::Kind::failed_jump)));
     std::string never;
@@ -76,8 +76,9 @@ void add_summary(std::string& out, const Findings& of) {
 
 void add_sections(std::string& out, const Findings& of) {
     const std::vector<std::uint32_t> deaths = deaths_by_section(of);
-    out += "<h3>Sections</h3><table><tr><th>section</th><th class=n>reached by</th><th class=n>deaths</th><th "
-           "class=n>mean time</th><th>verdict</th></tr>";
+    out +=
+        "<h3>Sections</h3><table><tr><th>section</th><th class=n>reached by</th><th class=n>deaths</th><th "
+        "class=n>mean time</th><th>verdict</th></tr>";
     for (std::size_t i = 0; i < deaths.size(); ++i) {
         int reached = 0;
         double seconds = 0;
@@ -86,21 +87,22 @@ void add_sections(std::string& out, const Findings& of) {
                 ++reached;
                 seconds += run.telemetry.section_seconds[i];
             }
-        out += fmt::format(
-            "<tr><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td>{}</td></tr>",
-            escaped(of.level->checkpoints[i].section), reached, deaths[i], reached > 0 ? minutes(seconds / reached) : "",
-            death_verdict(deaths, i));
+        out += fmt::format("<tr><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td>{}</td></tr>",
+                           escaped(of.level->checkpoints[i].section), reached, deaths[i],
+                           reached > 0 ? minutes(seconds / reached) : "", death_verdict(deaths, i));
     }
     out += "</table>\n";
 }
 
 void add_sessions(std::string& out, std::span<const Session> sessions) {
     if (sessions.empty()) return;
-    out += "<h2>People</h2>\n<table><tr><th>who</th><th>plays</th><th>with</th><th class=n>fun</th><th "
-           "class=n>difficulty</th><th class=n>control</th><th>would go on</th></tr>";
+    out +=
+        "<h2>People</h2>\n<table><tr><th>who</th><th>plays</th><th>with</th><th class=n>fun</th><th "
+        "class=n>difficulty</th><th class=n>control</th><th>would go on</th></tr>";
     for (const Session& session : sessions)
         out += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td class=n>{}</td><td>{}</td></tr>",
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td "
+            "class=n>{}</td><td>{}</td></tr>",
             escaped(session.start.player), escaped(session.start.plays_games), escaped(session.start.device),
             session.answers.fun, session.answers.difficulty, session.answers.control,
             session.answers.would_go_on ? "yes" : "no");
@@ -141,17 +143,22 @@ Report make_report(std::span<const Findings> levels, std::span<const Session> se
     Report report;
     std::string& out = report.html;
     out += head;
-    out += "<h1>Playtest</h1>\n<table><tr><th>level</th><th class=n>runs</th><th>finished</th><th class=n>deaths</th><th>look "
-           "at</th></tr>";
+    out +=
+        "<h1>Playtest</h1>\n<table><tr><th>level</th><th class=n>runs</th><th>finished</th><th "
+        "class=n>deaths</th><th>look "
+        "at</th></tr>";
     for (const Findings& of : levels) {
         const std::size_t looks = of.count(Incident::Kind::stuck) + of.count(Incident::Kind::escape) +
                                   of.count(Incident::Kind::not_a_number) + of.count(Incident::Kind::overflow);
-        out += fmt::format("<tr><td><a href=\"#{0}\">{1}</a></td><td class=n>{2}</td><td>{3}</td><td class=n>{4}</td><td>{5}</td></tr>",
-                           escaped(of.level->id), escaped(of.level->title), of.runs.size(),
-                           of.unreachable.empty() ? verdict(of.navigators_won() == of.navigators(),
-                                                            fmt::format("{} of {}", of.navigators_won(), of.navigators()))
-                                                  : verdict(false, "unreachable"),
-                           of.count(Incident::Kind::death), verdict(of.is_fine(), of.is_fine() ? "nothing" : fmt::format("{} incidents", looks)));
+        out += fmt::format(
+            "<tr><td><a href=\"#{0}\">{1}</a></td><td class=n>{2}</td><td>{3}</td><td "
+            "class=n>{4}</td><td>{5}</td></tr>",
+            escaped(of.level->id), escaped(of.level->title), of.runs.size(),
+            of.unreachable.empty() ? verdict(of.navigators_won() == of.navigators(),
+                                             fmt::format("{} of {}", of.navigators_won(), of.navigators()))
+                                   : verdict(false, "unreachable"),
+            of.count(Incident::Kind::death),
+            verdict(of.is_fine(), of.is_fine() ? "nothing" : fmt::format("{} incidents", looks)));
     }
     out += "</table>\n";
     for (std::size_t i = 0; i < levels.size(); ++i) {

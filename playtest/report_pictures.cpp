@@ -7,10 +7,10 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::size_t most_incidents = 80;   // of a level, on the page
-constexpr std::size_t most_of_a_kind = 20;   // deaths are many
-constexpr double frame_scale = 10;           // pixels a metre
-constexpr double frame_wide = 214;           // pixels
+constexpr std::size_t most_incidents = 80;  // of a level, on the page
+constexpr std::size_t most_of_a_kind = 20;  // deaths are many
+constexpr double frame_scale = 10;          // pixels a metre
+constexpr double frame_wide = 214;          // pixels
 constexpr double frame_high = 150;
 
 std::string colour_of(Incident::Kind kind) {
@@ -28,8 +28,10 @@ std::string colour_of(Incident::Kind kind) {
 }
 
 std::string dot(double x, double y, double radius, const std::string& colour, const std::string& title) {
-    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".75\" stroke=\"#fff\" stroke-width=\".7\"><title>{}</title></circle>",
-                       x, y, radius, colour, title);
+    return fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".75\" stroke=\"#fff\" "
+        "stroke-width=\".7\"><title>{}</title></circle>",
+        x, y, radius, colour, title);
 }
 
 std::string title_of(const Findings& of, const Incident& incident) {
@@ -49,7 +51,8 @@ std::string frame_of(const Incident& incident, const PlanFrame& plan, std::size_
     for (const dvec3& place : incident.trail)
         trail += fmt::format("{:.1f},{:.1f} ", plan.x(place) * zoom - left, plan.y(place) * zoom - top);
     return fmt::format(
-        "<div class=\"frame p{}\" style=\"background-size:{:.0f}px {:.0f}px;background-position:{:.0f}px {:.0f}px\"><svg width=\"{:.0f}\" "
+        "<div class=\"frame p{}\" style=\"background-size:{:.0f}px {:.0f}px;background-position:{:.0f}px "
+        "{:.0f}px\"><svg width=\"{:.0f}\" "
         "height=\"{:.0f}\"><polyline points=\"{}\" fill=\"none\" stroke=\"#0a58ca\" stroke-width=\"2\"/>{}</svg></div>",
         level, plan.width * zoom, plan.height * zoom, -left, -top, frame_wide, frame_high, trail,
         dot(frame_wide / 2, frame_high / 2, 5, colour_of(incident.kind), ""));
@@ -98,15 +101,17 @@ void add_plans(std::string& out, const Findings& of, const PlanFrame& frame, std
     }
     const auto figure = [&](const std::string& caption, const std::string& inside) {
         out += fmt::format(
-            "<figure><div class=\"plan p{}\" style=\"width:{}px;height:{}px\"><svg width=\"{}\" height=\"{}\">{}</svg></div><figcaption>{}</figcaption></figure>\n",
+            "<figure><div class=\"plan p{}\" style=\"width:{}px;height:{}px\"><svg width=\"{}\" "
+            "height=\"{}\">{}</svg></div><figcaption>{}</figcaption></figure>\n",
             level, frame.width, frame.height, frame.width, frame.height, inside, caption);
     };
     const auto heat = [&](const HeatMap& map) {
         return fmt::format("<image width=\"{}\" height=\"{}\" href=\"{}\"/>", frame.width, frame.height,
                            heat_picture(map, frame));
     };
-    figure("Deaths red, failed jumps orange, stuck violet, checkpoints and goal green, never taken yellow. North is up.",
-           marks);
+    figure(
+        "Deaths red, failed jumps orange, stuck violet, checkpoints and goal green, never taken yellow. North is up.",
+        marks);
     figure("Where they stood", heat(stood));
     figure("Where they looked", heat(looked));
     out += "</div>\n";
@@ -131,10 +136,11 @@ void add_incidents(Report& report, const Findings& of, const PlanFrame& frame, s
                 if (++count <= most_of_a_kind && items.size() < most_incidents) items.push_back({run, i});
             }
     }
-    out += fmt::format("<h3>Incidents</h3><p class=dim>{} of {}. A replay is a file for the game's own player: "
-                       "<code>surefoot-platformer --watch FILE</code>; a step is for <code>surefoot replay FILE</code>.</p>"
-                       "<div class=\"incidents\">\n",
-                       items.size(), all);
+    out += fmt::format(
+        "<h3>Incidents</h3><p class=dim>{} of {}. A replay is a file for the game's own player: "
+        "<code>surefoot-platformer --watch FILE</code>; a step is for <code>surefoot replay FILE</code>.</p>"
+        "<div class=\"incidents\">\n",
+        items.size(), all);
     std::vector<std::size_t> kept_runs;
     for (const Item& item : items) {
         const Telemetry& told = of.runs[item.run].telemetry;

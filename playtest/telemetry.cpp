@@ -18,6 +18,7 @@ constexpr double wants_to_go = 2;             // m/s
 constexpr double gets_nowhere = 0.3;          // m
 constexpr int stuck_for = 120;                // ticks
 constexpr int stuck_in_one_direction = 300;   // ticks
+constexpr int gets_away_in = 30;              // ticks
 constexpr double escaped_by = 2;              // outside of the level's box [m]
 constexpr double looks_far = 25;              // m
 constexpr std::size_t most_captures = 20;     // of one run
@@ -148,23 +149,25 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
         stuck_from_ = game.feet();
         stuck_wish_ = wish;
         wishes_for_ = 0;
-        turned_ = false;
+        turned_for_ = 0;
     }
     if (length(wish) <= wants_to_go || game.outcome() != game::Outcome::playing) {
-        if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_) return;  // a pause for breath in a pit
+        if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_for_ > 0) return;  // a pause for breath in a pit
         wishes_for_ = 0;
         return;
     }
     ++wishes_for_;
-    turned_ = turned_ || dot(unit(wish), unit(stuck_wish_)) < 0;
-    if (in_air || wishes_for_ < (turned_ ? stuck_for : stuck_in_one_direction)) return;
+    // The other way, and for as long as it takes to get away.
+    turned_for_ += dot(unit(wish), unit(stuck_wish_)) < 0 ? 1 : 0;
+    const bool turned = turned_for_ > gets_away_in;
+    if (in_air || wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;
-    told_.incidents.back().capture = capture_step(game.world(), game.settings(), game.last_input(), game::tick_seconds,
-                                                  game.hero_before().body);
-    told_.incidents.back().capture->note =
-        fmt::format("{} of {}: wants to go and gets nowhere, {:.1f} s into the run", told_.player, told_.level, game.seconds());
+    told_.incidents.back().capture =
+        capture_step(game.world(), game.settings(), game.last_input(), game::tick_seconds, game.hero_before().body);
+    told_.incidents.back().capture->note = fmt::format("{} of {}: wants to go and gets nowhere, {:.1f} s into the run",
+                                                       told_.player, told_.level, game.seconds());
 }
 
 void Observer::watch_sanity(const game::Game& game) {
@@ -176,7 +179,8 @@ void Observer::watch_sanity(const game::Game& game) {
     const std::size_t before = told_.incidents.size();
     if (!finite) add(Incident::Kind::not_a_number, game);
     if (events.has(CharacterEvent::overflow) || events.has(CharacterEvent::invalid))
-        add(Incident::Kind::overflow, game, game::Cause::none, events.has(CharacterEvent::invalid) ? "invalid" : "overflow");
+        add(Incident::Kind::overflow, game, game::Cause::none,
+            events.has(CharacterEvent::invalid) ? "invalid" : "overflow");
     // Who stands beyond the level's box stands on nothing that anybody built; who falls is on the way to fall out.
     const bool outside = place.x < box.min.x - escaped_by || place.x > box.max.x + escaped_by ||
                          place.z < box.min.z - escaped_by || place.z > box.max.z + escaped_by ||

@@ -40,11 +40,11 @@ struct Telemetry {
     std::string player{};  ///< a name, or a bot's
     bool won = false;
     double seconds = 0;
-    std::uint32_t section = 0;               ///< the last that was reached
-    std::vector<double> section_seconds{};   ///< by section
+    std::uint32_t section = 0;              ///< the last that was reached
+    std::vector<double> section_seconds{};  ///< by section
     std::vector<std::uint32_t> section_deaths{};
     std::vector<bool> section_reached{};
-    std::vector<std::uint32_t> taken{};      ///< pickups, of `Level::pickups`
+    std::vector<std::uint32_t> taken{};  ///< pickups, of `Level::pickups`
     std::uint64_t jumps = 0;
     std::uint64_t presses = 0;
     std::vector<Incident> incidents{};
@@ -79,8 +79,8 @@ private:
     dvec3 jump_from_{0, 0, 0};
     dvec3 stuck_from_{0, 0, 0};
     dvec3 stuck_wish_{0, 0, 0};
-    int wishes_for_ = 0;  ///< ticks
-    bool turned_ = false;  ///< it has tried the other way since
+    int wishes_for_ = 0;             ///< ticks
+    int turned_for_ = 0;             ///< it has tried the other way for so many ticks
     std::uint64_t quiet_until_ = 0;  ///< of the same kind of trouble, so that one place is one incident
     std::uint8_t buttons_ = 0;
 };

@@ -76,12 +76,11 @@ ExitCode run_playtest(const PlaytestGiven& given) {
     std::string reasons;
     for (const auto& level : levels_of(given.level)) {
         ProgressBar bar(level->id);
-        all.push_back(must(playtest::run_campaign(
-            level, {.bots = given.bots,
-                    .hours = given.hours,
-                    .seed = given.seed,
-                    .threads = given.threads,
-                    .progress = [&](double done) { bar.show(done); }})));
+        all.push_back(must(playtest::run_campaign(level, {.bots = given.bots,
+                                                          .hours = given.hours,
+                                                          .seed = given.seed,
+                                                          .threads = given.threads,
+                                                          .progress = [&](double done) { bar.show(done); }})));
         const playtest::Findings& of = all.back();
         using Kind = playtest::Incident::Kind;
         table.add({level->id, fmt::format("{} of {}", of.navigators_won(), of.navigators()),
@@ -108,17 +107,22 @@ void add_playtest(CLI::App& program, Run& run) {
     auto* command = program.add_subcommand("playtest", "Bots play a level of the platformer; a page says how it went");
     const auto given = std::make_shared<PlaytestGiven>();
     command->add_option("level", given->level, "A level of the platformer (.glb), or a folder of them")->required();
-    command->add_option("--bots", given->bots, "How many, by turns one that knows its way and one that explores (default: 4)")
+    command
+        ->add_option("--bots", given->bots,
+                     "How many, by turns one that knows its way and one that explores (default: 4)")
         ->check(CLI::Range(0, 1000))
         ->type_name("COUNT");
-    command->add_option("--hours", given->hours, "Of play in each level, all bots together; each plays once at least (default: 0.25)")
+    command
+        ->add_option("--hours", given->hours,
+                     "Of play in each level, all bots together; each plays once at least (default: 0.25)")
         ->check(CLI::Range(0.0, 10000.0))
         ->type_name("HOURS");
     command->add_option("--seed", given->seed, "The same number gives the same runs (default: 1)")->type_name("NUMBER");
     command->add_option("--threads", given->threads, "How many bots play at a time (default: 2)")
         ->check(CLI::Range(1, 64))
         ->type_name("COUNT");
-    command->add_option("--report", given->report, "Where the page goes (default: playtest.html); its replays beside it")
+    command
+        ->add_option("--report", given->report, "Where the page goes (default: playtest.html); its replays beside it")
         ->type_name("FILE");
     command->add_option("--sessions", given->sessions, "A folder of sessions with people, to be told of, too")
         ->type_name("FOLDER");
@@ -127,7 +131,8 @@ void add_playtest(CLI::App& program, Run& run) {
         "  surefoot playtest levels/platformer --bots 8 --hours 2 --report out/playtest.html\n"
         "  surefoot playtest levels/platformer --bots 0 --sessions ~/sessions\n"
         "\nThe page needs nothing but itself; replays and the steps of stuck moments lie in the folder FILE_files.\n"
-        "Exit codes: 0 all is well, 1 there is something to look at (a goal out of reach, a bot that knows its way and\n"
+        "Exit codes: 0 all is well, 1 there is something to look at (a goal out of reach, a bot that knows its way "
+        "and\n"
         "did not finish, somebody stuck, out of the level, or nowhere), 2 wrong usage, 3 a file cannot be read or "
         "written."));
     command->callback([given, &run] { run = [given] { return run_playtest(*given); }; });

@@ -26,7 +26,8 @@ TEST_P(PlatformerLevel, is_finished_by_the_bot_that_knows_its_way_and_by_its_rec
         ASSERT_TRUE(run) << run.error().text;
         for (const auto kind : {Incident::Kind::escape, Incident::Kind::not_a_number, Incident::Kind::overflow})
             EXPECT_EQ(run->telemetry.count(kind), 0U) << name_of(kind);
-        reasons += level->checkpoints[run->telemetry.section].section + ": " + (*bot)->doing() + "; " + (*bot)->gave_up() + "\n";
+        reasons += level->checkpoints[run->telemetry.section].section + ": " + (*bot)->doing() + "; " +
+                   (*bot)->gave_up() + "\n";
         if (!run->telemetry.won) continue;
         std::uint64_t diverged = 0;
         const auto again = replay(level, run->recording, &diverged);

@@ -13,15 +13,16 @@ inline std::shared_ptr<const game::Level> gaps_lift_key_and_door() {
     LevelMaker maker;
     maker.clear();
     maker.box({-3, -1, -4}, {3, 0, 4});
-    maker.box({-3, -1, -14}, {3, 0, -6.5});   // over 2.5 m
-    maker.box({-3, -1, -26}, {3, 0, -19});    // over 5 m
+    maker.box({-3, -1, -14}, {3, 0, -6.5});  // over 2.5 m
+    maker.box({-3, -1, -26}, {3, 0, -19});   // over 5 m
     maker.body(game::BodyKind::platform, {0, -0.25, -28}, {1.8, 0.25, 1.8}).route = {
         .stops = {{0, 0, 0}, {0, 5, 0}}, .speed = 2.5, .pause = 1};
     maker.level->bodies.back().name = "lift";
     maker.box({-3, 4, -48}, {3, 5, -30});
-    maker.box({4.5, 4, -40}, {10, 5, -34});   // aside, over 1.5 m: the key
-    maker.box({-3, 5, -42.5}, {-1.2, 9, -42});
-    maker.box({1.2, 5, -42.5}, {3, 9, -42});
+    maker.box({4.5, 4, -40}, {10, 5, -34});       // aside, over 1.5 m: the key
+    maker.box({-12, 4, -42.5}, {-1.2, 12, -42});  // a wall that nobody gets around
+    maker.box({1.2, 4, -42.5}, {20, 12, -42});
+    maker.box({-1.2, 9, -42.5}, {1.2, 12, -42});
     maker.body(game::BodyKind::door, {0, 7, -42.25}, {1.2, 2, 0.2}).door = "red";
     maker.level->pickups.push_back({game::PickupKind::key, {8, 6, -37}, "red"});
     maker.level->pickups.push_back({game::PickupKind::coin, {0, 0.9, -10}, {}});

@@ -1,10 +1,11 @@
+#include "playtest/report.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 
 #include "game/whole_file.hpp"
 #include "made_levels.hpp"
-#include "playtest/report.hpp"
 
 namespace surefoot::playtest {
 namespace {
@@ -28,8 +29,8 @@ TEST(Report, is_one_page_that_refers_to_nothing_on_a_network) {
         const std::size_t begin = at + 6;
         const std::string file = folder + "/" + page.substr(begin, page.find('"', begin) - begin);
         EXPECT_TRUE(std::filesystem::exists(file)) << file;
-        const bool reads = file.ends_with(".run") ? game::read_recording(file).has_value()
-                                                  : read_step_capture(file).has_value();
+        const bool reads =
+            file.ends_with(".run") ? game::read_recording(file).has_value() : read_step_capture(file).has_value();
         EXPECT_TRUE(reads) << file;
         ++links;
     }

@@ -1,8 +1,9 @@
+#include "playtest/session.hpp"
+
 #include <filesystem>
 #include <gtest/gtest.h>
 
 #include "game/whole_file.hpp"
-#include "playtest/session.hpp"
 
 namespace surefoot::playtest {
 namespace {
@@ -21,7 +22,8 @@ TEST_F(SessionFolder, is_read_as_it_was_written) {
         .answers = {.fun = 4, .difficulty = 3, .control = 5, .would_go_on = true, .best = "the ferries"},
         .runs = {"first-steps"}};
     ASSERT_TRUE(write_session(written));
-    ASSERT_TRUE(write_session({.folder = root + "/a", .start = {.player = "A"}, .notes = {}, .answers = {}, .runs = {}}));
+    ASSERT_TRUE(
+        write_session({.folder = root + "/a", .start = {.player = "A"}, .notes = {}, .answers = {}, .runs = {}}));
     const auto read = read_sessions(root);
     ASSERT_TRUE(read) << read.error().text;
     ASSERT_EQ(read->size(), 2U);
