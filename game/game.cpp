@@ -30,7 +30,7 @@ Game::~Game() = default;
 Expected<void> Game::build() {
     const auto ground = world_.add(level_->ground, {.layers = still_layer});
     if (!ground) return tl::unexpected(ground.error());
-    ground_ = *ground;
+    ground_body_ = world_.poses(*ground).body;
     for (std::uint32_t plan = 0; plan < level_->bodies.size(); ++plan) {
         const BodyPlan& body = level_->bodies[plan];
         const Pose pose{body.origin, {1, 0, 0, 0}};
