@@ -2,6 +2,7 @@
 
 #include <Recast.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -11,8 +12,10 @@
 namespace surefoot::navigation {
 namespace {
 
-// A contour may leave the cells' edges by so many cells: what Recast's makers found to follow walls without steps.
-constexpr float contour_error = 1.3F;
+// A contour may leave the cells' edges by so many cells: what Recast's makers found to follow walls without steps. One
+// that is made so simple may cross itself, and polygons are cut from it then that are turned in on themselves; the next
+// finer one is taken in that case, and the finest are the cells' own edges.
+constexpr std::array contour_errors{1.3F, 0.9F, 0.5F, 0.0F};
 // Islands of ground smaller than this many cells are noise of the sampling; what is smaller holds no feet.
 constexpr int least_island = 6;
 constexpr int mergeable_region = 400;
@@ -173,6 +176,41 @@ TileMesh tile_of(const rcPolyMesh& polygons, const rcPolyMeshDetail& details, in
     return tile;
 }
 
+/// Are all polygons convex and turned the same way, as whole cells?
+bool are_convex(const rcPolyMesh& mesh) {
+    for (int p = 0; p < mesh.npolys; ++p) {
+        const unsigned short* const polygon = mesh.polys + std::size_t(p) * 2 * std::size_t(mesh.nvp);
+        int corners = 0;
+        while (corners < mesh.nvp && polygon[corners] != RC_MESH_NULL_IDX) ++corners;
+        const auto at = [&](int corner) { return mesh.verts + std::size_t(polygon[corner % corners]) * 3; };
+        long around = 0;
+        for (int i = 0; i < corners; ++i) {
+            const unsigned short* const a = at(i);
+            const unsigned short* const b = at(i + 1);
+            const unsigned short* const c = at(i + 2);
+            if ((b[2] - a[2]) * (c[0] - b[0]) - (b[0] - a[0]) * (c[2] - b[2]) < 0) return false;
+            around += long(a[2]) * b[0] - long(a[0]) * b[2];
+        }
+        if (around <= 0) return false;
+    }
+    return true;
+}
+
+/// The ground's polygons; none where there is no ground. Null if something went wrong.
+Polygons polygons_of(Context& context, rcCompactHeightfield& ground) {
+    Polygons polygons;
+    for (const float error : contour_errors) {
+        const Contours contours(rcAllocContourSet());
+        if (!contours || !rcBuildContours(&context, ground, error, 0, *contours)) return nullptr;
+        polygons.reset(rcAllocPolyMesh());
+        if (!polygons) return nullptr;
+        if (contours->nconts == 0) return polygons;
+        if (!rcBuildPolyMesh(&context, *contours, corners_per_polygon, *polygons)) return nullptr;
+        if (are_convex(*polygons)) break;
+    }
+    return polygons;
+}
+
 }  // namespace
 
 Expected<TileMesh> build_tile(std::span<const GroundTriangle> ground, std::span<const NavigationRegion> regions,
@@ -201,11 +239,9 @@ Expected<TileMesh> build_tile(std::span<const GroundTriangle> ground, std::span<
     if (!rcBuildDistanceField(&context, *compact) ||
         !rcBuildRegions(&context, *compact, cells.border, least_island, mergeable_region))
         return failed();
-    const Contours contours(rcAllocContourSet());
-    if (!contours || !rcBuildContours(&context, *compact, contour_error, 0, *contours)) return failed();
-    if (contours->nconts == 0) return TileMesh{.x = tile_x, .z = tile_z};
-    const Polygons polygons(rcAllocPolyMesh());
-    if (!polygons || !rcBuildPolyMesh(&context, *contours, corners_per_polygon, *polygons)) return failed();
+    const Polygons polygons = polygons_of(context, *compact);
+    if (!polygons) return failed();
+    if (polygons->npolys == 0) return TileMesh{.x = tile_x, .z = tile_z};
     const Details details(rcAllocPolyMeshDetail());
     if (!details || !rcBuildPolyMeshDetail(&context, *polygons, *compact, 6 * cells.size, 1.5F * cells.step, *details))
         return failed();
