@@ -105,9 +105,9 @@ std::unordered_set<dtPolyRef> leading_to(const dtNavMesh& detour, dtPolyRef to, 
 /// Doors count as open: behind them is ground, too.
 constexpr std::uint16_t shut = navigation::taken_out;
 
-/// The mesh knows a cell of the flood that it comes into, half a cell from the middle, or would but for the quarter of a
-/// radius that it keeps from every edge. As a share of the cell; within a whole one, a mesh for twice the radius would
-/// know all the ground along walls.
+/// The mesh knows a cell of the flood that it comes into, half a cell from the middle, or would but for the quarter of
+/// a radius that it keeps from every edge. As a share of the cell; within a whole one, a mesh for twice the radius
+/// would know all the ground along walls.
 constexpr double known_within = 0.75;
 
 }  // namespace
