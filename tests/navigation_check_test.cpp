@@ -113,8 +113,17 @@ Bricks stairs() {
     return bricks;
 }
 
+/// A floor with two walls on it; there is room everywhere.
+Bricks walls() {
+    Bricks bricks;
+    bricks.box({-6, -1, -4}, {6, 0, 4});
+    bricks.box({-2.2F, 0, -2}, {-1.8F, 3, 2});
+    bricks.box({1.8F, 0, -2}, {2.2F, 3, 2});
+    return bricks;
+}
+
 TEST(NavigationCheck, PassesWhereMeshAndFeetObeyOneRule) {
-    for (const Bricks& bricks : {slit(), chair(), bank(), stairs()}) {
+    for (const Bricks& bricks : {slit(), chair(), bank(), stairs(), walls()}) {
         const NavigationCheck check = check_of(bricks, quick(25));
         EXPECT_TRUE(check.all_arrived()) << check.arrived << " of " << check.walks;
         EXPECT_TRUE(check.is_covered()) << check.agreement.covered();
@@ -132,6 +141,12 @@ TEST(NavigationCheck, AMeshForAThinnerBodyLosesTheSlitThroughWhichNoFeetGet) {
 
 TEST(NavigationCheck, AMeshForAWiderBodyDoesNotKnowWhatFeetReach) {
     const NavigationCheck check = check_wrong(slit(), 5, [](NavigationAgent& agent) { agent.radius = 1; });
+    EXPECT_FALSE(check.is_covered()) << check.agreement.covered();
+}
+
+// Broken variant: ground counts as known if the mesh ends within a whole cell of it, which is as wide as what is lost.
+TEST(NavigationCheck, AMeshForASomewhatWiderBodyDoesNotKnowTheGroundAlongWalls) {
+    const NavigationCheck check = check_wrong(walls(), 5, [](NavigationAgent& agent) { agent.radius = 0.7; });
     EXPECT_FALSE(check.is_covered()) << check.agreement.covered();
 }
 

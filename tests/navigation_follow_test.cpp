@@ -1,6 +1,7 @@
 // Characters are sent over small levels and have to get there by their own feet.
 #include <surefoot/navigation_follow.hpp>
 #include <surefoot/navigation_walk.hpp>
+#include <surefoot/visited_source.hpp>
 
 #include "movement_scene.hpp"
 #include "navigation_things.hpp"
@@ -255,6 +256,40 @@ TEST(NavigationFollow, GivesUpAgainstAWallThatTheMeshDoesNotKnow) {
     ASSERT_TRUE(report.stuck);
     const StepResult again = step(world, {}, report.stuck->input, 1.0 / 60, report.stuck->before);
     EXPECT_TRUE(again.events.has(CharacterEvent::blocked)) << "the moment shows what was in the way";
+}
+
+/// Splinters on one spot, more than a step looks at; after some looks they are swept away.
+struct Splinters {
+    mutable int looks = 0;
+
+    [[nodiscard]] Bounds bounds() const { return {{-2, 0, 8}, {-1.5, 0.1, 9}}; }
+    void visit(const Bounds&, const TriangleSink& sink) const {
+        if (looks == 0) return;
+        --looks;
+        for (std::uint32_t id = 0; id < 40'000; ++id) sink(triangle(id), id, 0);
+    }
+    [[nodiscard]] static Triangle triangle(std::uint32_t) { return {{-2, 0, 8}, {-2, 0, 9}, {-1.5, 0.1, 9}}; }
+    [[nodiscard]] static std::uint32_t surface(std::uint32_t) { return 0; }
+};
+
+// Broken variants: the last tick in which anything kept it, whatever it was; the last that says `blocked`.
+TEST(NavigationFollow, ShowsTheTickInWhichMoreWasNearThanAStepLooksAt) {
+    const NavigationMesh mesh = built(walled().world());
+    Scene changed = walled();
+    changed.block({-0.25, 0, 7}, {0.25, 3, 10});
+    World world = changed.world();
+    const Splinters splinters{.looks = 40};
+    const VisitedSource source(splinters);
+    ASSERT_TRUE(world.add(source).has_value());
+    const WalkReport report = walk_path(world, {}, mesh, {-5, 0, 8.5}, {5, 0, 8.5});
+    EXPECT_EQ(splinters.looks, 0);
+    EXPECT_GT(report.end.x, -1) << "it went on, and was stuck at the wall";
+    EXPECT_EQ(report.reason, Reason::stuck);
+    ASSERT_TRUE(report.stuck);
+    EXPECT_LT(report.stuck->before.position.x, -1.5);
+    splinters.looks = 40;
+    const StepResult again = step(world, {}, report.stuck->input, 1.0 / 60, report.stuck->before);
+    EXPECT_TRUE(again.events.has(CharacterEvent::overflow));
 }
 
 TEST(NavigationFollow, SaysWhereThereIsNoMesh) {
