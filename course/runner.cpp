@@ -6,7 +6,8 @@
 namespace surefoot::course {
 
 bool Score::passes() const {
-    return failure.empty() && std::all_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.passes(); });
+    return failure.empty() && !marks.empty() &&
+           std::all_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.passes(); });
 }
 
 Outing walk_run(const Run& run, Mover& mover) {
@@ -54,6 +55,20 @@ Score run_scene(const Scene& scene, Mover& mover, const std::function<void(doubl
     }
     for (const Bar& bar : scene.bars) score.marks.push_back({&bar, bar.measure(outings)});
     return score;
+}
+
+bool fails_scene(const Scene& scene, Mover& mover) {
+    std::vector<Outing> outings;
+    const auto misses = [&](std::span<const Outing> some) {
+        return std::any_of(scene.bars.begin(), scene.bars.end(), [&](const Bar& bar) {
+            return !Mark{&bar, bar.measure(some)}.passes();
+        });
+    };
+    for (const Run& run : scene.runs) {
+        outings.push_back(walk_run(run, mover));
+        if (!outings.back().failure.empty() || misses({&outings.back(), 1})) return true;
+    }
+    return misses(outings);
 }
 
 }  // namespace surefoot::course

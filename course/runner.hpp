@@ -25,11 +25,16 @@ struct Score {
     std::vector<Mark> marks;
     std::string failure;  ///< why the mover gave up; empty if it did not
 
+    /// Without marks, as where the scene was not walked, nothing is passed.
     [[nodiscard]] bool passes() const;
 };
 
 /// `progress` is told the share that is done [0 to 1].
 [[nodiscard]] Score run_scene(const Scene& scene, Mover& mover, const std::function<void(double)>& progress = {});
+
+/// Does a mover miss a bar of the scene, or give up? Each run is measured as soon as it is walked, and the first that
+/// misses decides.
+[[nodiscard]] bool fails_scene(const Scene& scene, Mover& mover);
 
 /// One run, without measuring: for whoever wants to watch. What comes back refers to the run.
 [[nodiscard]] Outing walk_run(const Run& run, Mover& mover);

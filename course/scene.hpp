@@ -82,7 +82,10 @@ struct Scene {
     std::vector<Run> runs;
     std::vector<Bar> bars;
     std::vector<std::string> catches;  ///< which of the deliberately broken movers do not clear it
-    std::string cannot{};  ///< why geometry keeps bodies of this shape from clearing it; empty if it does not
+    std::string not_for_shape{};       ///< why geometry leaves it nothing to ask of such a body; empty if it applies
+
+    /// A scene that does not apply to the shape is neither passed nor failed.
+    [[nodiscard]] bool applies() const { return not_for_shape.empty(); }
 };
 
 /// The character that every scene begins from: a capsule 1.8 m high and 0.8 m wide, slopes of 50 degrees, steps of

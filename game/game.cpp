@@ -30,7 +30,7 @@ Game::~Game() = default;
 Expected<void> Game::build() {
     const auto ground = world_.add(level_->ground, {.layers = still_layer});
     if (!ground) return tl::unexpected(ground.error());
-    ground_ = *ground;
+    ground_body_ = world_.poses(*ground).body;
     for (std::uint32_t plan = 0; plan < level_->bodies.size(); ++plan) {
         const BodyPlan& body = level_->bodies[plan];
         const Pose pose{body.origin, {1, 0, 0, 0}};
@@ -54,7 +54,7 @@ Expected<void> Game::build() {
         Enemy enemy{.plan = plan};
         enemy.body.position = level_->enemies[plan].feet + dvec3{0, 0.61, 0};
         enemy.before = enemy.body;
-        if (minds_) enemy.mind = minds_->add();
+        if (minds_ && level_->enemies[plan].kind != EnemyKind::shooter) enemy.mind = minds_->add(plan);
         (void)enemies_.insert(enemy);
     }
     stand_at_checkpoint();
@@ -120,7 +120,7 @@ void Game::stand_at_checkpoint() {
         enemy.since = 0;
         enemy.stop = 0;
         enemy.reload = 0;
-        if (minds_) minds_->forget(enemy);
+        if (minds_ && plan.kind != EnemyKind::shooter) minds_->forget(enemy);
     }
     for (MovingBody& body : bodies_) {
         const Route& route = level_->bodies[body.plan].route;

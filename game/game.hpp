@@ -103,7 +103,7 @@ private:
 
     std::shared_ptr<const Level> level_;
     World world_;
-    BodyHandle ground_{};
+    std::uint32_t ground_body_ = 0;  // of the still ground, its number in the world
     CharacterSettings settings_;
     Hero hero_;
     Hero hero_before_;

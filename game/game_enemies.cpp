@@ -20,6 +20,7 @@ constexpr double reload_time = 1.8;     // [s]
 constexpr double bullet_speed = 11;     // [m/s]
 constexpr double bullet_life = 4;       // [s]
 constexpr double bullet_radius = 0.12;  // [m]
+constexpr double sleeps_from = 60;      // who is calm so far from the hero stands still: nobody sees it [m]
 constexpr double stomp_bounce = 8;      // [m/s]
 
 double length(const dvec3& way) {
@@ -63,6 +64,7 @@ void Game::move_enemies() {
 
         const dvec3 eye = enemy.body.position + dvec3{0, 0.3, 0};
         const double far = length(hero - eye);
+        if (enemy.mood == Enemy::Mood::calm && far > std::max(sleeps_from, plan.sight)) continue;
         const bool sees = outcome_ == Outcome::playing && far <= plan.sight && !world_.ray_any({eye, hero});
         const bool strayed = length(enemy.body.position - plan.feet) > plan.leash;
         const auto become = [&](Enemy::Mood mood) {
@@ -124,9 +126,14 @@ void Game::move_enemies() {
                 if (enemy.mood == Enemy::Mood::returns) become(Enemy::Mood::calm);
             }
         }
-        const StepResult result = step(world_, settings, input, tick_seconds, enemy.body);
-        enemy.body = result.state;
-        enemy.events = result.events;
+        // Who stands on still ground and wants nothing stands there in the next tick, too.
+        const bool rests = input.wish == dvec3{0, 0, 0} && !input.jump && enemy.body.footing == Footing::ground &&
+                           enemy.body.velocity == dvec3{0, 0, 0} && enemy.body.ground_body == ground_body_;
+        if (!rests) {
+            const StepResult result = step(world_, settings, input, tick_seconds, enemy.body);
+            enemy.body = result.state;
+            enemy.events = result.events;
+        }
         const dvec3 goes = enemy.mood == Enemy::Mood::notices ? flat(hero - eye) : flat(enemy.body.velocity);
         if (length(goes) > 0.3) enemy.facing = goes / length(goes);
         if (enemy.body.position.y < level_->kill_y) enemies_.erase(at.handle());

@@ -1,6 +1,8 @@
-/// How enemies find their ways: one navigation mesh for all of them, and a follower each.
+/// How enemies find their ways: one navigation mesh for all who walk, one of its own with links for each who jumps, and
+/// a follower each.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -23,11 +25,12 @@ inline constexpr std::uint64_t moving_layer = 2;
 
 class EnemyMinds {
 public:
-    /// Null where nobody needs to walk. Fails as building a navigation mesh does.
+    /// Null where nobody needs to walk. Fails as building a navigation mesh does. What takes long, the links of those
+    /// who jump, is kept in the user's cache folder for the next time.
     [[nodiscard]] static Expected<std::unique_ptr<EnemyMinds>> make(const Level& level, const World& world);
 
-    /// Another follower; its number.
-    [[nodiscard]] std::uint32_t add();
+    /// A follower for an enemy of this plan; its number.
+    [[nodiscard]] std::uint32_t add(std::uint32_t plan);
 
     /// What an enemy does to get to a place.
     [[nodiscard]] CharacterInput go(const Enemy& enemy, const dvec3& feet, double speed);
@@ -38,15 +41,23 @@ public:
     [[nodiscard]] bool gave_up(const Enemy& enemy) const;
 
     [[nodiscard]] const CharacterSettings& settings() const { return settings_; }
-    [[nodiscard]] const NavigationMesh& mesh() const { return mesh_; }
 
 private:
-    EnemyMinds(const CharacterSettings& settings, NavigationMesh mesh);
+    struct Ground {
+        explicit Ground(NavigationMesh made) : mesh(std::move(made)), query(mesh) {}
+        NavigationMesh mesh;
+        NavigationQuery query;
+    };
+    struct Mind {
+        const Ground* ground;
+        NavigationFollower follower;
+    };
+    explicit EnemyMinds(const CharacterSettings& settings) : settings_(settings) {}
 
     CharacterSettings settings_;
-    NavigationMesh mesh_;
-    NavigationQuery query_;
-    std::vector<NavigationFollower> followers_;
+    std::unique_ptr<Ground> walkers_;
+    std::map<std::uint32_t, std::unique_ptr<Ground>> jumpers_;  // by plan
+    std::vector<Mind> minds_;
 };
 
 }  // namespace surefoot::game

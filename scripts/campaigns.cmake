@@ -10,6 +10,14 @@ foreach(shape IN ITEMS sphere ellipsoid capsule box cylinder cone)
   set_tests_properties(campaign.prove.${shape} PROPERTIES TIMEOUT 86400)
 endforeach()
 
+# The whole movement course with every shape, the broken mover that each of its scenes is about, and the page that tells.
+foreach(shape IN ITEMS sphere ellipsoid capsule box cylinder cone)
+  add_test(campaign.course.${shape} "${root}/build/release/tools/surefoot" course --shape ${shape})
+  add_test(campaign.course_catches.${shape} "${root}/build/release/tools/surefoot" course --catches --shape ${shape})
+endforeach()
+add_test(campaign.course_page sh -c
+  "'${root}/build/release/tools/surefoot' course --shape all --json | '${root}/scripts/course_table.py' --shapes --check -")
+
 # Ten minutes of fuzzing in all: every target of build/fuzz gets its share.
 set(seconds "$ENV{SUREFOOT_FUZZ_SECONDS}")
 if(NOT seconds)

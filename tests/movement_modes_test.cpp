@@ -25,6 +25,26 @@ TEST(MovementModes, WhoCrouchesPassesUnderALowCeilingAndStandsUpBehindItAndNotBe
     EXPECT_NEAR(actor.state.position.y, 0.91, 0.005);
 }
 
+TEST(MovementModes, OnASlopeItCrouchesAndStandsUpToo) {
+    for (const double degrees : {5.0, 16.5, 30.0, 45.0}) {
+        const World world = Scene().floor(-20, 0, -5, 5).ramp(0, 20, degrees).world();
+        Actor actor;
+        actor.settings.volume = Ellipsoid{{0.35, 0.8, 0.35}};
+        actor.settings.crouched = Volume(Ellipsoid{{0.35, 0.45, 0.35}});
+        actor.settings.flat_foot = true;
+        actor.state.position = {-1, 1, 0};
+        actor.run(world, 1.5, {.wish = {4, 0, 0}});
+        ASSERT_GT(actor.state.position.x, 0.5);
+        actor.run(world, 0.3, {});
+        EXPECT_FALSE(actor.tick(world, {.crouch = true}).has(CharacterEvent::no_room)) << degrees;
+        EXPECT_EQ(actor.state.form, CharacterForm::crouched) << degrees;
+        actor.run(world, 0.3, {.crouch = true});
+        EXPECT_EQ(actor.state.footing, Footing::ground) << degrees;
+        actor.tick(world, {});
+        EXPECT_EQ(actor.state.form, CharacterForm::standing) << degrees;
+    }
+}
+
 TEST(MovementModes, ABodyForTheAirIsTakenInTheAirAndGivenBackOnTheGround) {
     const World world = Scene().floor(-20, 20, -5, 5).world();
     Actor actor;

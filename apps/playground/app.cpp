@@ -84,6 +84,7 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
                               app->chooser_, *app->levels_, *app->navigation_, options.headless, options.level,
                               options.scene, options.ghost_command});
+    app->stage_->beat = options.beat;
     app->stage_->bot = options.bot;
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.only_room.empty() ? options.room : options.only_room);

@@ -37,6 +37,8 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     std::string size;
     program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb");
     program.add_flag("--bot", options.bot, "A bot plays");
+    program.add_option("--beat", options.beat, "See this beat of the level, as its picture in docs/levels is taken")
+        ->check(CLI::Range(1, 100));
     add_picture_options(program, options, size);
     try {
         program.parse(argc, argv);

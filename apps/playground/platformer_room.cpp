@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "platformer/play/pilot.hpp"
 #include "platformer/play/theatre.hpp"
 
 namespace surefoot::playground {
@@ -27,6 +28,8 @@ public:
         platformer::TheatreOptions options =
             stage.headless ? platformer::TheatreOptions{} : platformer::usual_theatre();
         options.headless = stage.headless;
+        options.beat = stage.beat;
+        if (stage.bot) options.pilot = platformer::bot_pilot();
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
             const fs::path level(stage.level);

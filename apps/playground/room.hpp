@@ -35,6 +35,7 @@ struct Stage {
     std::string level{};            ///< from the command line; empty if none was named
     std::string scene{};            ///< of the course, likewise
     std::string ghost_command{};    ///< a program that walks it beside ours, likewise
+    int beat = 0;                   ///< of the platformer's level: seen as its picture is taken; 0: none
     bool bot = false;               ///< it plays, where there is a game
     double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 

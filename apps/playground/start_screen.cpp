@@ -109,13 +109,17 @@ public:
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                          ImGuiWindowFlags_NoFocusOnAppearing);
-        const float wide =
-            std::min(letter * 21, (size.x - letter * 4) / static_cast<float>(std::max<std::size_t>(rooms().size(), 1)));
-        bool first = true;
+        const auto width_of = [&](std::size_t in_a_row) {
+            const auto cards = static_cast<float>(in_a_row);
+            return std::min(letter * 21, (size.x - letter * (3 + cards)) / cards);
+        };
+        // In two rows where one would be too narrow to read.
+        std::size_t in_a_row = std::max<std::size_t>(rooms().size(), 1);
+        if (width_of(in_a_row) < letter * 15) in_a_row = (in_a_row + 1) / 2;
+        std::size_t count = 0;
         for (const RoomCard& card : rooms()) {
-            if (!first) ImGui::SameLine(0, letter);
-            first = false;
-            if (draw_card(card, wide)) choose_(card.id);
+            if (count++ % in_a_row != 0) ImGui::SameLine(0, letter);
+            if (draw_card(card, width_of(in_a_row))) choose_(card.id);
         }
         ImGui::End();
         draw_title(letter);

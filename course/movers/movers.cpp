@@ -33,6 +33,7 @@ constexpr Entry entries[] = {
     {{"broken-restless", "pushes itself farther off than it stops before things", true},
      broken<&Faults::pushes_too_far>},
     {{"broken-stop", "stays where it meets something", true}, broken<&Faults::stops>},
+    {{"broken-any-slope", "stands on whatever is under it, however steep", true}, broken<&Faults::any_slope>},
     {{"broken-lengths", "has lengths for a grown person in its code", true}, broken<&Faults::human_lengths>},
 };
 

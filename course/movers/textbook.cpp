@@ -77,7 +77,7 @@ public:
         vertical_ = 0;
         ticks_ = 0;
         grounded_ = jump_held_ = false;
-        flattest_ = std::cos(radians(settings_.slope_limit_deg));
+        flattest_ = faults_.any_slope ? 0 : std::cos(radians(settings_.slope_limit_deg));
     }
 
     Answer tick(const Input& input, double dt, std::span<const Pose> poses) override {

@@ -14,6 +14,7 @@ struct Faults {
     bool single_precision = false;  ///< keeps its position in floats
     bool pushes_too_far = false;    ///< keeps farther off by pushing than by stopping
     bool stops = false;             ///< stays where it meets something
+    bool any_slope = false;         ///< stands on whatever is under it
     bool human_lengths = false;     ///< lengths in its code instead of its settings
 };
 

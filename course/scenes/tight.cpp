@@ -72,18 +72,21 @@ Scene ceilings() {
                 4));
         }
     }
-    scene.bars = {depth_bar(),
-                  rest_bar(0.5),
-                  {"misses the ground", "m", 2 * skin, "every jump ends on the floor",
-                   each([](const Outing& outing) { return std::abs(feet(outing)); })},
-                  {"short of the ceiling", "m", 0,
-                   "a level ceiling within a jump's height is reached, all but a skin and what rounding adds",
-                   each([](const Outing& outing) {
-                       const double room = std::stod(outing.run->name);
-                       const bool is_level = outing.run->name.ends_with(" 0");
-                       return is_level ? short_of(std::min(room, hero().jump_height - 0.1) - 3 * skin, climbed(outing))
-                                       : 0;
-                   })}};
+    scene.bars = {
+        depth_bar(),
+        rest_bar(0.5),
+        {"misses the ground", "m", 2 * skin, "every jump ends on the floor",
+         each([](const Outing& outing) { return std::abs(feet(outing)); })},
+        {"short of the ceiling", "m", 0,
+         "a level ceiling within a jump's height is reached, all but a skin, what an apex is kept off the floor by "
+         "beyond that, and what rounding adds",
+         each([](const Outing& outing) {
+             const double room = std::stod(outing.run->name);
+             const bool is_level = outing.run->name.ends_with(" 0");
+             const double kept_off = gap_below(outing.run->settings) - skin;
+             const double least = std::min(room - kept_off, hero().jump_height - 0.1) - 3 * skin;
+             return is_level ? short_of(least, climbed(outing)) : 0;
+         })}};
     return scene;
 }
 

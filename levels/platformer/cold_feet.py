@@ -76,19 +76,18 @@ def the_burrow(k):
 
 
 def the_slope(k):
-    """Tested: running and crouching is sliding. A long slope of ice, bars to slide under, and a jump at its end."""
+    """Tested: running and crouching is sliding. A long slope of ice, bars to slide under or to go around, and a jump at its end."""
     k.beat("The slope", "Run, crouch, slide under the bars.", eye=(-7, 3, 5.5), look=(12, 0, -3))
     k.prompt(-2, "Run and {crouch} to slide", long=8, width=12)
     k.ramp(-0.4, 34, 6.4, 0.02, -10.2, deep=1.4, top="ice", side="side")
     for edge in (-1, 1):  # banks of snow on both sides
         k.ramp(-0.3, 33.9, 1.0, 0.75, -9.45, shift=3.6 * edge, deep=2.0, top="trim", side="side")
-    for a in (11, 20, 29):
+    for a, side in ((11, 1), (20, -1), (29, 1)):  # across most of the slope: who does not slide has to go around
         low = -10.2 * (a + 0.4) / 34.4
-        k.block(a - 0.25, a + 0.25, 7.6, low + 1.45, low + 2.3, material="accent", top="accent")
-        k.coins(a - 2, a + 2, 3, up=low + 1.4, up1=low + 0.2)
-        k.way(a - 2.6, (a + 2.6, 0, low - 0.75), "crouch", up=low + 0.78)
-    k.rock(15.5, -1.6, up=-4.9, size=0.9, material="side")
-    k.rock(24.5, 1.6, up=-7.6, size=0.9, material="side")
+        k.block(a - 0.25, a + 0.25, 5.2, low + 1.45, low + 2.1, shift=-1.2 * side, material="accent", top="accent")
+        k.coins(a - 2, a + 2, 3, across0=-0.6 * side, up=low + 1.4, up1=low + 0.2)
+    k.rock(15.5, 1.8, up=-4.9, size=0.8, material="side")
+    k.rock(24.5, -1.8, up=-7.6, size=0.8, material="side")
     k.go(36.6, up=-10.4)
     k.island(0, 13, 14, deep=9, chamfer=2.5)
     k.patch(1.2, 8, 2.6)

@@ -108,17 +108,17 @@ def the_steps(k):
 
 
 def the_wide_gaps(k):
-    """Tested: two jumps over five metres of nothing. Slabs in white stone, and a beacon beyond."""
+    """Tested: two jumps over almost five metres of nothing. Slabs in white stone, and a beacon beyond."""
     k.beat("Wide gaps", "Too far for one jump, easy for two.", eye=(-7, 4, 4.5))
     k.coins(0.5, 4.3, 4, up=1.1, arc=1.5)
-    k.slab(4.8, 9.4, 4.6, thick=0.8)
-    k.coins(9.9, 14.1, 4, across1=0.4, up=1.1, arc=1.6)
-    k.slab(14.6, 19.4, 4.6, shift=0.6, up=0.2, thick=0.8)
-    k.column(17, 8.2, 1.5, up=1.6, deep=4)   # a star above and beside the way
-    k.star(17, 8.2, 2.7)
-    k.coin(17, 5.0, 2.8)
-    k.coins(19.9, 23.5, 4, across0=0.6, across1=0, up=1.4, up1=1.9, arc=1.4)
-    k.go(24.2, up=0.8)
+    k.slab(4.6, 9.4, 4.6, thick=0.8)
+    k.coins(9.9, 13.5, 4, across1=0.4, up=1.1, arc=1.6)
+    k.slab(14.0, 18.8, 4.6, shift=0.6, up=0.2, thick=0.8)
+    k.column(16.4, 8.2, 1.5, up=1.6, deep=4)   # a star above and beside the way
+    k.star(16.4, 8.2, 2.7)
+    k.coin(16.4, 5.0, 2.8)
+    k.coins(19.3, 22.7, 4, across0=0.6, across1=0, up=1.4, up1=1.9, arc=1.4)
+    k.go(23.4, up=0.8)
     k.island(0, 15, 14, deep=9, chamfer=2.5)
     k.patch(1.2, 8.4, 2.4)
     k.tree(3, 4.8, tall=5)

@@ -41,6 +41,15 @@ Box3 Body::around(const Vec& from, const Vec& motion, double margin) const noexc
     return swept_box({extent.min - wide, extent.max + wide}, {to_dvec3(from), to_dvec3(from + motion)});
 }
 
+namespace {
+
+bool has_edges(const Shape& shape) noexcept {
+    return std::holds_alternative<Box>(shape) || std::holds_alternative<Cylinder>(shape) ||
+           std::holds_alternative<Cone>(shape);
+}
+
+}  // namespace
+
 double smallest_of(const Shape& shape) noexcept {
     return std::visit(
         Overloaded{
@@ -68,6 +77,9 @@ Body body_of(const Volume& volume, double skin, const Vec& up) noexcept {
     body.kept_off = kept_off.volume;
     body.shift = kept_off.shift;
     body.frame = Frame(body.volume.orientation);
+    const Cone* cone = std::get_if<Cone>(&volume.shape);
+    if (cone != nullptr) body.middle = body.frame.to_world(Vec{0, 0.5 * cone->height, 0});
+    body.is_sharp = has_edges(volume.shape);
     const Box3 reach = reach_box(body.kept_off);
     body.extent = {reach.min + body.shift, reach.max + body.shift};
     const auto [one, other] = across(up);

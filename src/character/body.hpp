@@ -16,6 +16,8 @@ struct Body {
     Vec shift;                       ///< from the position to the reference point of `kept_off` [m]
     Box3 extent;                     ///< the box around `kept_off`, relative to the position [m]
     Frame frame{dquat(1, 0, 0, 0)};  ///< of both
+    Vec middle;                      ///< from the position to the middle of the volume [m]
+    bool is_sharp = false;           ///< has edges or corners: planes of many directions may touch it at one point
     double half_width;               ///< the largest horizontal reach of the volume from its axis [m]
     double foot;                     ///< how far the lowest point of `kept_off` is from the position, along -up [m]
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "character/seams.hpp"
+
 namespace surefoot::internal {
 
 namespace {
@@ -18,11 +20,18 @@ constexpr double ahead = 1e-3;
 
 class Carry {
 public:
-    Carry(const World& world, const Body& body, const Gait& gait, BodyHandle support, const TickPart& part) noexcept
-        : world_(world), body_(body), gait_(gait), support_(support), time_(part.begin), end_(part.end) {
-        if (world.contains(support)) {
-            support_id_ = world.poses(support).body;
-            rides_ = moves(world, support);
+    Carry(Surroundings& surroundings, const Body& body, const Gait& gait, BodyHandle support,
+          const TickPart& part) noexcept
+        : surroundings_(surroundings),
+          world_(surroundings.world()),
+          body_(body),
+          gait_(gait),
+          support_(support),
+          time_(part.begin),
+          end_(part.end) {
+        if (world_.contains(support)) {
+            support_id_ = world_.poses(support).body;
+            rides_ = moves(world_, support);
         }
     }
 
@@ -108,16 +117,43 @@ private:
 
     // False when there is no room for one more.
     bool meet(const Hit& hit) noexcept {
+        const BodyHandle handle = world_.find(hit.body);
+        if (moves(world_, handle)) {
+            result_.pushed = true;
+            return add({to_vec(hit.normal), to_vec(hit.point), handle});
+        }
+        // What stands still is pushed against; a seam in it, as between two bodies of one floor, is none of its faces.
+        const Faces faces = faces_at(hit);
+        for (const Vec& normal : faces.get()) {
+            // Clear of the seam from here on, or it would be met again at once.
+            if (faces.replaced) result_.position = result_.position + normal * (ahead * gait_.skin);
+            if (!add({normal, to_vec(hit.point), handle})) return false;
+        }
+        return true;
+    }
+
+    bool add(const Pusher& pusher) noexcept {
         if (count_ == most_pushers) {
             result_.crushed = true;
             return false;
         }
-        const BodyHandle handle = world_.find(hit.body);
-        if (moves(world_, handle)) result_.pushed = true;
-        pushers_[count_++] = {to_vec(hit.normal), to_vec(hit.point), handle};
+        pushers_[count_++] = pusher;
         return true;
     }
 
+    Faces faces_at(const Hit& hit) const noexcept {
+        Faces faces;
+        if (surroundings_.cover(body_.around(result_.position, {}, 2 * gait_.skin))) {
+            if (const auto index = surroundings_.find({hit.body, hit.triangle})) {
+                const Touch touch{hit.t, to_vec(hit.point), to_vec(hit.normal), *index, hit.feature, hit.status};
+                return faces_of(touch, surroundings_, body_, gait_.skin, result_.position, gait_.up);
+            }
+        }
+        faces.add(to_vec(hit.normal));
+        return faces;
+    }
+
+    Surroundings& surroundings_;
     const World& world_;
     const Body& body_;
     const Gait& gait_;
@@ -145,9 +181,9 @@ bool moves(const World& world, BodyHandle handle) noexcept {
     return !same(poses.start, poses.end);
 }
 
-Carried carry(const World& world, const Body& body, const Gait& gait, const Vec& from, BodyHandle support,
+Carried carry(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from, BodyHandle support,
               const TickPart& part) noexcept {
-    return Carry(world, body, gait, support, part).run(from);
+    return Carry(surroundings, body, gait, support, part).run(from);
 }
 
 }  // namespace surefoot::internal

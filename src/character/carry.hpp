@@ -24,8 +24,8 @@ struct TickPart {
 
 /// Takes a body through a part of the tick of the world's moving bodies.
 /// `support` is the body that carries it, or nothing. Nothing that moves passes through it, however fast.
-[[nodiscard]] Carried carry(const World& world, const Body& body, const Gait& gait, const Vec& from, BodyHandle support,
-                            const TickPart& part) noexcept;
+[[nodiscard]] Carried carry(Surroundings& surroundings, const Body& body, const Gait& gait, const Vec& from,
+                            BodyHandle support, const TickPart& part) noexcept;
 
 /// Does the body go anywhere during the tick?
 [[nodiscard]] bool moves(const World& world, BodyHandle handle) noexcept;

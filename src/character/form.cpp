@@ -29,6 +29,21 @@ Vec away_from_wall(Tick& tick, double way) noexcept {
     return slide(tick.surroundings, tick.body, tick.gait, tick.position, wall * way, {}).position;
 }
 
+// How far the body reaches below its position against a normal.
+double reach_below(const Body& body, const Vec& normal) noexcept {
+    return reach_along(body.kept_off, -normal) - dot(body.shift, normal);
+}
+
+// By how much a body has to be raised to stand where another one stands [m]: on a slope a round one touches the ground
+// beside its lowest point, and the flatter it is the farther beside.
+double raise_on_ground(const Tick& tick, const Body& body) noexcept {
+    constexpr double steepest = 0.1;  // beyond it the raise would be a leap
+    const Vec normal = to_vec(tick.state.ground_normal);
+    const double rises = dot(normal, tick.up);
+    if (tick.state.footing != Footing::ground || !(rises > steepest)) return body.foot - tick.body.foot;
+    return (reach_below(body, normal) - reach_below(tick.body, normal)) / rises;
+}
+
 }  // namespace
 
 const Volume& volume_of(const CharacterSettings& settings, CharacterForm form) noexcept {
@@ -56,9 +71,14 @@ void change_form(Tick& tick) noexcept {
     if (form == tick.state.form) return;
     const Body body = body_of(volume_of(tick.settings, form), tick.settings.skin, tick.up);
     // The feet stay where they are.
-    const Vec raise = tick.up * (body.foot - tick.body.foot);
+    Vec raise = tick.up * (body.foot - tick.body.foot);
     Vec position = tick.position + raise;
     bool room = has_room(tick, body, position);
+    if (!room) {
+        raise = tick.up * raise_on_ground(tick, body);
+        position = tick.position + raise;
+        room = has_room(tick, body, position);
+    }
     // Beside a wall a wider body has room farther from it, and hands reach it with a narrower one that is nearer.
     const bool beside_wall = form == CharacterForm::on_ledge || tick.state.form == CharacterForm::on_ledge;
     const double wider = body.half_width - tick.body.half_width;
@@ -67,7 +87,7 @@ void change_form(Tick& tick) noexcept {
         room = has_room(tick, body, position);
     }
     tick.tell({.normal = to_dvec3(tick.up),
-               .value = body.foot - tick.body.foot,
+               .value = dot(raise, tick.up),
                .act = room ? StepAct::changed_form : StepAct::form_refused,
                .rule = room ? StepRule::none : StepRule::head_room});
     if (!room) {

@@ -41,32 +41,32 @@ public:
           half_(grown(body.volume, 0.5 * gait.skin)),
           full_{body.kept_off, body.shift} {}
 
+    // The whole way is found before any of it is gone, however little of it there is time for: half a way out of one
+    // thing may lead into another.
     Recovery run(const Vec& from, double farthest) noexcept {
-        Recovery result{from};
+        Vec place = from;
         for (int round = 0; round < most_rounds; ++round) {
-            if (!find_pushes(result.position)) {
-                result.overflow = true;
-                return result;
-            }
-            if (count_ == 0) return result;
+            if (!find_pushes(place)) return {.position = from, .overflow = true};
+            if (count_ == 0) return round == 0 ? Recovery{from, false, false} : towards(from, place, farthest);
             const auto out = way_out();
             if (!out) return search(from, farthest);
-            Vec way = *out;
-            const double distance = length(way);
-            if (!(distance > 0)) break;
-            const double left = farthest - length(result.position - from);
-            const bool far = distance > left;
-            if (far) way = way * (larger(0, left) / distance);
-            if (crosses(result.position, result.position + way)) break;
-            result.position = result.position + way;
-            result.moved = true;
-            if (far) return result;  // more in the next tick
+            if (!(length(*out) > 0) || crosses(place, place + *out)) break;
+            place = place + *out;
         }
-        if (!find_pushes(result.position) || !deep_) return result;
-        return search(from, farthest);
+        if (!find_pushes(place)) return {.position = from, .overflow = true};
+        if (deep_) return search(from, farthest);
+        return place == from ? Recovery{from, false, false} : towards(from, place, farthest);
     }
 
 private:
+    // As far as there is time to go, if the middle of the body crosses nothing on the straight way.
+    Recovery towards(const Vec& from, const Vec& place, double farthest) noexcept {
+        if (crosses(from, place)) return search(from, farthest);
+        const Vec way = place - from;
+        const double distance = length(way);
+        return {distance > farthest ? from + way * (farthest / distance) : place, true, false};
+    }
+
     // Pushed from several sides at once it gets nowhere. Somewhere near there may be room all the same.
     Recovery search(const Vec& from, double farthest) noexcept {
         const auto [one, other] = across(gait_.up);
@@ -142,9 +142,9 @@ private:
         return std::nullopt;
     }
 
-    // What lies between is not known unless it was gathered.
+    // Does the middle of the body cross anything? What lies between is not known unless it was gathered.
     bool crosses(const Vec& from, const Vec& to) noexcept {
-        const Motion way{to_dvec3(from), to_dvec3(to)};
+        const Motion way{to_dvec3(from + body_.middle), to_dvec3(to + body_.middle)};
         const Box3 box = swept_box({}, way);
         if (!surroundings_.cover(box)) return true;
         bool crossed = false;

@@ -16,6 +16,11 @@ constexpr double in_plane = 1e-7;
 // How far from the point of touch a surface may be and still hold it, as a share of the skin.
 constexpr double holds_within = 0.5;
 
+// How far behind a face a body with edges may be and still be led by it, as a share of the skin: what is met together
+// and some more. What rises higher is a kerb, and such a body does not roll over it: it has to step up.
+constexpr double sharp_sinks = 0.3;
+static_assert(met_together < sharp_sinks && sharp_sinks < holds_within);
+
 struct Face {
     Vec normal;  // unit, towards the body; zero for a triangle without area
     Vec corners[3];
@@ -68,14 +73,48 @@ void near(const Surroundings& surroundings, const Vec& point, double reach, cons
     surroundings.near({point - around, point + around}, visit);
 }
 
+// A face of the surroundings at a point of touch, and a body that is there.
+struct Meeting {
+    const Touch& touch;
+    const Surroundings& surroundings;
+    const Body& body;
+    const Vec& centre;
+    double reach;
+    double sinks;  // how far the body may be behind a face that it obeys [m]
+
+    // Turned towards the middle of the body: the apex of a cone may be below a face that it stands on.
+    [[nodiscard]] Face face(const Triangle& triangle) const noexcept { return face_of(triangle, centre + body.middle); }
+
+    // Can the body have come from the front of the face? The normals at one point of it are at no more than a right
+    // angle, but for those of an apex.
+    [[nodiscard]] bool is_faced(const Face& face) const noexcept {
+        return dot(face.normal, touch.normal) >= -1e-9 || (body.is_sharp && is_before(body, centre, face, sinks));
+    }
+
+    // A body with edges touches at one point planes of many directions. One that lies behind a face that goes on in
+    // front of it is not to be come at: whoever keeps off that face keeps off both.
+    [[nodiscard]] bool is_hidden(const Face& face) const noexcept {
+        if (!body.is_sharp) return false;
+        bool hidden = false;
+        near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
+            if (hidden) return;
+            const Face other = this->face(triangle.triangle);
+            if (other.normal == Vec{} || is_nearly(other.normal, face.normal)) return;
+            hidden = reaches_out(other, face.corners[0], face.normal) > in_plane * other.size &&
+                     reaches_out(face, other.corners[0], other.normal) <= in_plane * face.size &&
+                     held_at(other, touch.point, reach) && is_before(body, centre, other, sinks);
+        });
+        return hidden;
+    }
+};
+
 // Of the surfaces that hold a point of touch the one that looks most along `up`.
 class Uppermost {
 public:
-    Uppermost(const Touch& touch, const Vec& up) noexcept : touch_(touch), up_(up), best_(touch.normal) {}
+    Uppermost(const Touch& touch, const Vec& up) noexcept : up_(up), best_(touch.normal) {}
 
+    // Requires: the face is not turned away from the touch; that would not be what it stands on.
     void offer(const Face& held) noexcept {
-        // Turned away from the touch: not what it stands on.
-        if (dot(held.normal, touch_.normal) < -1e-9) return;
         const double height = dot(held.normal, up_);
         if (!(height > height_)) return;
         height_ = height;
@@ -84,11 +123,37 @@ public:
     [[nodiscard]] const Vec& normal() const noexcept { return best_; }
 
 private:
-    const Touch& touch_;
     const Vec& up_;
     Vec best_;
     double height_ = -1;
 };
+
+// Is a point of the face this near to its border?
+bool is_on_border(const Face& face, const Vec& point, double near) noexcept {
+    for (int i = 0; i < 3; ++i) {
+        const Vec along = face.corners[(i + 1) % 3] - face.corners[i];
+        const Vec off = cross(along, point - face.corners[i]);
+        if (dot(off, off) <= near * near * dot(along, along)) return true;
+    }
+    return false;
+}
+
+// A flat side that meets a face flat does so at its border where the one ends and the other begins: that may be a seam
+// too, as between the blocks of a wall. What is met together with that wall is met a little behind it.
+void add_behind(const Meeting& at, Faces& faces) noexcept {
+    if (!at.body.is_sharp) return;
+    const Face own = at.face(at.surroundings.triangle(at.touch.index).triangle);
+    if (own.normal == Vec{} || !is_on_border(own, at.touch.point, at.reach) || !at.is_hidden(own)) return;
+    near(at.surroundings, at.touch.point, at.reach, [&](const SourceTriangle& triangle) {
+        const Face face = at.face(triangle.triangle);
+        if (face.normal == Vec{} || !held_at(face, at.touch.point, at.reach) ||
+            reaches_out(face, own.corners[0], own.normal) <= in_plane * face.size) {
+            return;
+        }
+        if (is_before(at.body, at.centre, face, at.sinks) && !at.is_hidden(face)) faces.add(face.normal);
+    });
+    faces.replaced = faces.count > 0;
+}
 
 }  // namespace
 
@@ -104,31 +169,36 @@ Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body&
     Faces faces;
     faces.surface = touch.normal;
     const double reach = holds_within * skin;
-    if (touch.feature != Feature::face) {
-        const Face own = face_of(surroundings.triangle(touch.index).triangle, centre);
+    const double sinks = body.is_sharp ? sharp_sinks * skin : reach;
+    const Meeting at{touch, surroundings, body, centre, reach, sinks};
+    if (touch.feature == Feature::face) {
+        add_behind(at, faces);
+    } else {
+        const Face own = at.face(surroundings.triangle(touch.index).triangle);
         Uppermost uppermost(touch, up);
         bool covered = false;
         near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
-            const Face face = face_of(triangle.triangle, centre);
+            const Face face = at.face(triangle.triangle);
             if (face.normal == Vec{}) return;
             const auto held = held_at(face, touch.point, reach);
-            if (held) uppermost.offer(face);
-            if (held && is_nearly(face.normal, touch.normal)) {
-                faces.add(face.normal);
+            if (!held) return;
+            const bool is_faced = at.is_faced(face);
+            if (is_faced) uppermost.offer(face);
+            if (is_nearly(face.normal, touch.normal)) {
+                if (!at.is_hidden(face)) faces.add(face.normal);
                 return;
             }
-            if (!held || reaches_out(face, *held, touch.normal) <= in_plane * face.size) return;
-            // It reaches out, but against its back the body cannot have come.
-            if (dot(face.normal, touch.normal) < -1e-9) return;
+            // If it reaches out it covers the touch; but against its back the body cannot have come.
+            if (!is_faced || reaches_out(face, *held, touch.normal) <= in_plane * face.size) return;
             covered = true;
             // What lies behind the face is behind it for all of the motion. What rises before it is met by itself.
             if (reaches_out(own, face.corners[0], face.normal) <= in_plane * own.size + 0.5 * reach &&
-                is_before(body, centre, face, reach)) {
+                is_before(body, centre, face, sinks) && !at.is_hidden(face)) {
                 faces.add(face.normal);
             }
         });
-        if (covered && !(own.normal == Vec{}) && dot(own.normal, touch.normal) >= -1e-9 &&
-            is_before(body, centre, own, reach)) {
+        if (covered && !(own.normal == Vec{}) && at.is_faced(own) && is_before(body, centre, own, sinks) &&
+            !at.is_hidden(own)) {
             faces.add(own.normal);
         }
         faces.surface = uppermost.normal();
@@ -146,7 +216,7 @@ Vec surface_under(const Touch& touch, const Surroundings& surroundings, double s
     near(surroundings, touch.point, reach, [&](const SourceTriangle& triangle) {
         const Face face = face_of(triangle.triangle, centre);
         if (face.normal == Vec{} || !held_at(face, touch.point, reach)) return;
-        uppermost.offer(face);
+        if (dot(face.normal, touch.normal) >= -1e-9) uppermost.offer(face);
     });
     return uppermost.normal();
 }

@@ -28,6 +28,8 @@ struct Faces {
 /// an inner one, and the touch is against the faces that reach out and have all of the touched triangle behind them,
 /// and against that triangle's own face, as far as the body is in front of them. A surface holds
 /// a point that is half the `skin` away or less; `centre` is where the body is, to tell which side of a face it is on.
+/// A body with edges may touch a face flat at its border: what lies behind another face there, which goes on in front
+/// of it, is hidden by that one, as the sides of the blocks of a wall are.
 [[nodiscard]] Faces faces_of(const Touch& touch, const Surroundings& surroundings, const Body& body, double skin,
                              const Vec& centre, const Vec& up) noexcept;
 

@@ -49,8 +49,8 @@ Box3 box_of_step(const Body& body, const Gait& gait, const StepSettings& setting
 }
 
 std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
-                                 const StepSettings& settings, const Vec& position, const Vec& level,
-                                 const Vec& wall) noexcept {
+                                 const StepSettings& settings, const Vec& position, const Vec& stopped,
+                                 const Vec& level, const Vec& wall) noexcept {
     const double way = length(level);
     if (!(way > 0)) return std::nullopt;
     const Vec out = wall - gait.up * dot(wall, gait.up);
@@ -93,7 +93,9 @@ std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, c
     const double advance = dot(probe - raised.position, ahead);
     if (advance <= gait.skin) return refuse_or_why(StepRule::no_advance, advance, gait.skin);
     const Ground landing = down_from(probe, {rule.perch_distance, {}});
-    const double risen = dot(probe - position, gait.up) - landing.distance;
+    // On rough ground that leads down, what stopped it there may be no higher than where it came from.
+    const double sunk = larger(0, dot(position - stopped, gait.up));
+    const double risen = dot(probe - position, gait.up) - landing.distance + sunk;
     if (!landing.trusted || landing.footing == Footing::air) return refuse(StepRule::not_higher, 0, 0);
     if (landing.footing != Footing::ground) return refuse_or_why(landing.rule, landing.value, landing.limit, landing);
     if (risen <= 0) return refuse(StepRule::not_higher, risen, 0, landing);

@@ -31,10 +31,12 @@ struct Raised {
 [[nodiscard]] Box3 box_of_step(const Body& body, const Gait& gait, const StepSettings& settings, const Vec& position,
                                const Vec& level, const Vec& wall) noexcept;
 
-/// Tries to go on by `level`, which is across `up`, over what blocks it at `position`. Whether there is a step is asked
+/// Tries to go on by `level`, which is across `up`, over what blocks it at `position`, from where it had
+/// come as far as `stopped`. Whether there is a step is asked
 /// `step_depth` ahead, square to the `wall` that blocks it and however short `level` is; then it is gone by `level`.
 [[nodiscard]] std::optional<SteppedUp> step_up(Surroundings& surroundings, const Body& body, const Gait& gait,
                                                const GroundRule& rule, const StepSettings& settings,
-                                               const Vec& position, const Vec& level, const Vec& wall) noexcept;
+                                               const Vec& position, const Vec& stopped, const Vec& level,
+                                               const Vec& wall) noexcept;
 
 }  // namespace surefoot::internal

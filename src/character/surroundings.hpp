@@ -74,6 +74,13 @@ public:
     /// The one that a touch speaks of. Until something else is covered.
     [[nodiscard]] const SourceTriangle& triangle(std::size_t index) const noexcept { return triangles_[index]; }
 
+    /// Where a triangle is among the listed ones, if it is.
+    [[nodiscard]] std::optional<std::size_t> find(const Named& name) const noexcept {
+        for (std::size_t i = 0; i < count_ && !are_many_; ++i)
+            if (triangles_[i].body == name.body && triangles_[i].id == name.triangle) return i;
+        return std::nullopt;
+    }
+
     /// Every triangle's touch on the way from `from` by `motion`, `volume` being moved from `from + shift`. Requires:
     /// the way is covered; `extent` is the box around the volume, relative to `from`.
     void sweep(const Volume& volume, const Vec& shift, const Box3& extent, const Vec& from, const Vec& motion,

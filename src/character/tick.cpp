@@ -143,7 +143,7 @@ void remember_buttons(Tick& tick) noexcept {
 void ride(Tick& tick) noexcept {
     const BodyHandle support =
         tick.state.footing == Footing::air ? BodyHandle{} : tick.world().find(tick.state.ground_body);
-    const Carried carried = carry(tick.world(), tick.body, tick.gait, tick.position, support, tick.part);
+    const Carried carried = carry(tick.surroundings, tick.body, tick.gait, tick.position, support, tick.part);
     if (carried.moved) {
         tick.tell({.motion = to_dvec3(carried.position - tick.position),
                    .body = tick.state.ground_body,

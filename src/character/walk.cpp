@@ -59,7 +59,8 @@ private:
             if (dot(wall, level) >= 0) continue;
             const StepSettings settings{settings_.step_up, settings_.step_depth};
             surroundings_.cover_as_well(box_of_step(body_, gait_, settings, from, level, wall));
-            const auto stepped = internal::step_up(surroundings_, body_, gait_, rule_, settings, from, level, wall);
+            const auto stepped =
+                internal::step_up(surroundings_, body_, gait_, rule_, settings, from, slid.position, level, wall);
             if (!stepped || dot(stepped->position - slid.position, level) <= 0) continue;
             result_.position = stepped->position;
             result_.stepped_up = true;

@@ -39,6 +39,12 @@ view::Sky sky_of(const std::string& name) {
     view::Sky sky;
     sky.shadow_radius = 60;
     sky.fog_distance = 260;
+    // Softer than noon, so that snow and sand keep their drawing, and bluer.
+    sky.sun = {0.90F, 0.82F, 0.69F};
+    sky.above = {0.31F, 0.38F, 0.48F};
+    sky.zenith = {0.08F, 0.30F, 0.66F};
+    sky.horizon = {0.56F, 0.75F, 0.88F};
+    sky.nadir = {0.40F, 0.58F, 0.72F};
     if (name == "dusk") {
         sky.towards_sun = {0.78, 0.38, 0.5};
         sky.sun = {1.15F, 0.72F, 0.45F};

@@ -19,10 +19,12 @@ Library::Read Library::read(const std::vector<std::string>& folders) {
     for (const std::string& folder : folders)
         for (const std::string& path : game::levels_in(folder)) {
             auto level = game::read_level(path);
-            if (level)
-                by_id[level->id] = std::make_shared<const game::Level>(std::move(*level));
-            else
+            if (!level) {
                 made.complaints.push_back(level.error().text);
+                continue;
+            }
+            auto kept = std::make_shared<const game::Level>(std::move(*level));
+            by_id.insert_or_assign(kept->id, kept);
         }
     for (auto& [id, level] : by_id) made.levels.push_back(std::move(level));
     std::ranges::stable_sort(made.levels, {}, [](const std::shared_ptr<const game::Level>& level) {

@@ -1,7 +1,8 @@
 #include "platformer/play/theatre.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "platformer/play/hud_of.hpp"
 #include "platformer/screens/draw_screens.hpp"
@@ -12,6 +13,12 @@ namespace {
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double show_win_after = 2.2;   // [s]: the hero dances first
 constexpr double show_lose_after = 1.2;  // [s]
+
+view::Camera looking(const dvec3& eye, const dvec3& at, double field_of_view) {
+    const dvec3 way = at - eye;
+    const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    return {.eye = eye, .forward = length > 0 ? way / length : dvec3{0, 0, -1}, .field_of_view = field_of_view};
+}
 
 }  // namespace
 
@@ -46,10 +53,10 @@ Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOption
         note(read.error().text);
     screens_ = Screens(settings);
     use_settings();
-    library_.open(options_.level_folders, options_.headless);
-    if (library_.is_ready()) show_cards();
     screens_.open_title();
     speaker_.music(sound::Piece::calm);
+    library_.open(options_.level_folders, options_.headless);
+    if (library_.is_ready()) show_cards();
 }
 
 Theatre::~Theatre() {
@@ -64,8 +71,9 @@ void Theatre::show_cards() {
         return;
     }
     if (!options_.level.empty() && !run_) {
-        screens_.begin_level(options_.level);
-        begin(options_.level, Command::Kind::start);
+        const std::string level = std::exchange(options_.level, {});
+        screens_.begin_level(level);
+        begin(level, Command::Kind::start);
     }
     if (!run_ && !backdrop_) {
         auto behind = Run::start({.level = library_.levels().front()});
@@ -237,23 +245,28 @@ void Theatre::tick() {
                          .per_window_unit = double(display_.framebuffer_size().y) / display_.size().y});
     screens_.tick(game::tick_seconds);
     while (const auto command = screens_.take()) obey(*command);
-    if (std::string notice = speaker_.take_notice(); !notice.empty()) note(notice);
+    if (std::string notice = speaker_.take_notice(); !notice.empty() && !options_.headless) note(notice);
     const bool plays = run_ != nullptr && screens_.is_playing();
     speaker_.pause(run_ != nullptr && !screens_.is_playing());
     if (!options_.headless && display_.is_pointer_captured() != plays) display_.capture_pointer(plays);
     if (plays) tick_run();
 }
 
+const game::Beat* Theatre::beat() const {
+    if (options_.beat <= 0 || !run_) return nullptr;
+    const auto& beats = run_->game().level().beats;
+    return std::size_t(options_.beat) <= beats.size() ? &beats[std::size_t(options_.beat) - 1] : nullptr;
+}
+
 view::Camera Theatre::camera(double blend) const {
+    if (const game::Beat* const seen = beat()) return looking(seen->eye, seen->look, camera_settings_.field_of_view);
     if (run_) return run_->camera_at(screens_.is_playing() ? blend : 1);
     if (!backdrop_) return {};
     // Slowly about where the hero waits.
     const double angle = seconds_ * 0.12;
     const dvec3 middle = backdrop_->game().hero().body.position;
     const dvec3 eye = middle + dvec3{9 * std::sin(angle), 4.5, 9 * std::cos(angle)};
-    const dvec3 way = middle + dvec3{0, 0.8, 0} - eye;
-    const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-    return {.eye = eye, .forward = way / length, .field_of_view = camera_settings_.field_of_view};
+    return looking(eye, middle + dvec3{0, 0.8, 0}, camera_settings_.field_of_view);
 }
 
 void Theatre::draw(double blend) {
@@ -266,6 +279,7 @@ void Theatre::draw(double blend) {
 }
 
 void Theatre::draw_over(unsigned framebuffer) {
+    if (beat() != nullptr) return;
     letters_.next_frame();
     canvas_.begin(screens_.layout());
     const GameSettings& settings = screens_.settings();

@@ -29,6 +29,7 @@ struct TheatreOptions {
     std::string progress;                    ///< likewise
     std::string recordings;                  ///< its folder; likewise
     bool headless = false;                   ///< no device for sound, levels are read at once
+    int beat = 0;                            ///< of the level: seen as its picture is taken; 0: it is played
     Pilot pilot{};                           ///< plays instead of the player
 };
 
@@ -70,6 +71,7 @@ private:
     void use_settings();
     void tick_run();
     void show_cards();
+    [[nodiscard]] const game::Beat* beat() const;
     void note(const std::string& text) { notices_.push_back(text); }
 
     view::Display& display_;
