@@ -45,9 +45,13 @@ void Foresight::look(const game::Game& game) {
     world_.begin_tick();
     for (const game::MovingBody& body : game.bodies()) {
         Body& mine = bodies_[body.plan];
-        if (mine.now.position != body.now.position || mine.now.orientation != body.now.orientation) {
+        const auto differ = [](const Pose& one, const Pose& other) {
+            return one.position != other.position || one.orientation != other.orientation;
+        };
+        // With the way of this tick, which says how fast it moves.
+        if (differ(mine.now, body.now) || differ(body.before, body.now)) {
             mine.now = body.now;
-            (void)world_.move(mine.handle, mine.now, mine.now);
+            (void)world_.move(mine.handle, body.before, body.now);
         }
         mine.clock = body.clock;
         mine.runs = body.runs;

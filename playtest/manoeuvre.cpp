@@ -150,7 +150,8 @@ Intent Manoeuvring::wall_jump(const game::Hero& hero, const dvec3& feet, const W
     intent.move = wall_;
     const bool touches = body.since_wall < 0.05 && !on_ground;
     if (on_ground) {
-        intent.jump = ticks_ > 12;
+        // Let go now and then: a button that is held makes no second jump.
+        intent.jump = ticks_ % 40 > 12;
         if (intent.jump) jump_for_ = 10;
     } else if (touches && body.velocity.y < 2.5 && jump_for_ == 0) {
         jump_for_ = 14;
