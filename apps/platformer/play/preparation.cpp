@@ -7,7 +7,7 @@
 namespace surefoot::platformer {
 
 template <typename Made>
-bool Preparation::Job<Made>::is_ready() const {
+bool Job<Made>::is_ready() const {
     return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 

@@ -12,6 +12,14 @@
 
 namespace surefoot::platformer {
 
+/// Something that is being made on another thread, and may be stopped.
+template <typename Made>
+struct Job {
+    std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false);
+    Made made{};
+    [[nodiscard]] bool is_ready() const;
+};
+
 class Preparation {
 public:
     Preparation() = default;
@@ -35,12 +43,6 @@ public:
     [[nodiscard]] bool is_warming() const;
 
 private:
-    template <typename Made>
-    struct Job {
-        std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false);
-        Made made{};
-        [[nodiscard]] bool is_ready() const;
-    };
     using Asked = Job<std::future<Expected<Run::Prepared>>>;
     using Warmed = Job<std::shared_future<void>>;
 
