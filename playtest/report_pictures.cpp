@@ -138,7 +138,7 @@ void add_incidents(Report& report, const Findings& of, const PlanFrame& frame, s
     }
     out += fmt::format(
         "<h3>Incidents</h3><p class=dim>{} of {}. A replay is a file for the game's own player: "
-        "<code>surefoot-platformer --watch FILE</code>; a step is for <code>surefoot replay FILE</code>.</p>"
+        "<code>surefoot-platformer FILE</code>; a step is for <code>surefoot replay FILE</code>.</p>"
         "<div class=\"incidents\">\n",
         items.size(), all);
     std::vector<std::size_t> kept_runs;

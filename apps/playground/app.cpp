@@ -258,7 +258,13 @@ void App::update(double dt) {
         moves = toasts_.update(tick) || moves;
     }
     stage_->waiting = clock_.waiting;
-    if (room_->wants_quit()) quit_ = true;
+    if (room_->wants_quit()) {
+        if (options_.only_room.empty()) {
+            go_to({});
+        } else {
+            quit_ = true;
+        }
+    }
     if (moves) restless_ = 3;
     if (restless_ > 0) --restless_;
 }

@@ -15,6 +15,7 @@ constexpr const char* footer = R"(
 Examples:
   surefoot-platformer                        the title
   surefoot-platformer clockwork              a level at once, by the name of its file
+  surefoot-platformer run.run                watch a recording, as `surefoot playtest` leaves them
   surefoot-platformer my/castle.glb          a level of yours: docs/levels.md tells how to make one
   surefoot-platformer first-steps --bot      watch a bot play it
   surefoot-platformer --session afternoon    somebody is tested: docs/playtesting.md is the guide
@@ -36,7 +37,7 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     options.only_room = "platformer";
     options.title = "Surefoot platformer";
     std::string size;
-    program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb");
+    program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb; or watch a .run");
     program.add_flag("--bot", options.bot, "A bot plays");
     program.add_option("--beat", options.beat, "See this beat of the level, as its picture in docs/levels is taken")
         ->check(CLI::Range(1, 100));
@@ -50,7 +51,8 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage;
     }
-    if (options.level.ends_with(".glb") && !std::filesystem::exists(options.level)) {
+    if ((options.level.ends_with(".glb") || options.level.ends_with(".run")) &&
+        !std::filesystem::exists(options.level)) {
         fmt::print(stderr, "surefoot-platformer: there is no file {}\n", options.level);
         return ExitCode::file;
     }

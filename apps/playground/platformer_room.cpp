@@ -35,8 +35,10 @@ public:
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
             const fs::path level(stage.level);
-            options.level = level.stem().string();
-            if (level.has_parent_path()) options.level_folders.push_back(level.parent_path().string());
+            const bool is_recording = level.extension() == ".run";
+            if (is_recording) options.watch = stage.level;
+            if (!is_recording) options.level = level.stem().string();
+            if (!is_recording && level.has_parent_path()) options.level_folders.push_back(level.parent_path().string());
         }
         theatre_ = std::make_unique<platformer::Theatre>(stage.display, stage.renderer, std::move(options));
         sky_ = stage.renderer.sky;

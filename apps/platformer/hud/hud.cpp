@@ -113,10 +113,10 @@ struct Painter {
 
     void watching() const {
         const double x = canvas.size().x / 2;
-        const double width = canvas.width_of("Watching the best run", {.size = 14}) + 44;
+        const double width = canvas.width_of("Watching a recorded run", {.size = 14}) + 44;
         canvas.box({{x - width / 2, margin - 2}, {x + width / 2, margin + 24}}, 13, with_opacity(palette.ink, 0.75));
         canvas.sign(Sign::play, {x - width / 2 + 16, margin + 11}, 13, palette.accent);
-        canvas.text("Watching the best run", {x - width / 2 + 30, margin + 16}, {.size = 14, .colour = palette.paper});
+        canvas.text("Watching a recorded run", {x - width / 2 + 30, margin + 16}, {.size = 14, .colour = palette.paper});
     }
 
     void prompt() const;

@@ -92,7 +92,18 @@ void Theatre::levels_are_there() {
 
 /// The level of the command line, once; who is tested fills in the form first.
 void Theatre::begin_named_level() {
-    if (options_.level.empty() || !library_.is_ready() || (session_ && !session_->has_begun())) return;
+    if (!library_.is_ready() || (session_ && !session_->has_begun())) return;
+    if (!options_.watch.empty() && watched_level_.empty()) {
+        const auto recording = game::read_recording(options_.watch);
+        watched_level_ = recording ? recording->level : std::string("?");
+        if (!recording) note(recording.error().text);
+        if (recording) {
+            screens_.begin_level(watched_level_, true);
+            begin(watched_level_, Command::Kind::watch);
+        }
+        return;
+    }
+    if (options_.level.empty()) return;
     const std::string id = std::exchange(options_.level, {});
     screens_.begin_level(id);
     begin(id, Command::Kind::start);
@@ -148,7 +159,8 @@ void Theatre::begin(const std::string& id, Command::Kind how) {
     }
     Run::Plan plan{.level = level, .pilot = options_.pilot};
     if (how == Command::Kind::race || how == Command::Kind::watch) {
-        auto recording = game::read_recording(best_run_path(options_.recordings, id));
+        const bool is_named = how == Command::Kind::watch && id == watched_level_;
+        auto recording = game::read_recording(is_named ? options_.watch : best_run_path(options_.recordings, id));
         if (!recording) {
             note(recording.error().text);
         } else if (recording->level_hash != level->hash) {

@@ -27,6 +27,7 @@ namespace surefoot::platformer {
 struct TheatreOptions {
     std::vector<std::string> level_folders;  ///< where the .glb files are
     std::string level;                       ///< begins at once, by id; empty: the title
+    std::string watch{};                     ///< a recording's file, to be watched at once
     std::string settings;                    ///< its file; empty: nothing is kept
     std::string progress;                    ///< likewise
     std::string recordings;                  ///< its folder; likewise
@@ -115,6 +116,7 @@ private:
     std::optional<Plan> plan_;  // of the level that is played
     view::Camera seen_{};       // from where the last frame was
     std::vector<std::string> notices_;
+    std::string watched_level_;  // of the recording that was named
     double seconds_ = 0;
     double over_for_ = 0;     // since the run was won or lost [s]
     bool shown_end_ = false;  // of the run: the screen that says so was opened

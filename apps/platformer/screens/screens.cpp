@@ -88,10 +88,10 @@ void Screens::fill_in(const Entry& entry) {
         form_.fields[entry.index].step(1);
 }
 
-void Screens::begin_level(const std::string& id) {
+void Screens::begin_level(const std::string& id, bool watching) {
     const auto found = std::find_if(levels_.begin(), levels_.end(), [&](const auto& level) { return level.id == id; });
     level_ = static_cast<std::size_t>(found - levels_.begin());
-    watching_ = false;
+    watching_ = watching;
     stack_.clear();
 }
 

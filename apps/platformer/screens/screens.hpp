@@ -61,7 +61,7 @@ public:
     void show_replay_end();
 
     /// A level is played from now on that was not chosen here, as from the command line.
-    void begin_level(const std::string& id);
+    void begin_level(const std::string& id, bool watching = false);
 
     /// What was chosen takes a moment; and it is there, so that nothing is over the game any more.
     void show_getting_ready();
