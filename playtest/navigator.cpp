@@ -145,6 +145,11 @@ void Navigator::notice(const game::Game& game) {
                 }
                 if (event.what != game::Happening::took_coin) since_better_ = 0;
                 break;
+            case game::Happening::bounced:
+                if (phase_ != Phase::walks) break;
+                phase_ = Phase::thinks;  // while it touches ground, which is now
+                pause_ = think_in_ = 0;
+                break;
             case game::Happening::checkpoint:
                 best_left_ = 1e300;
                 since_better_ = 0;

@@ -236,7 +236,12 @@ void Navigator::try_to_hop(const game::Game& game) {
     }
     style_turn_ += hops_kept;
     // Nothing changes by itself where nothing moves: from another place, then.
-    const bool still = passage.from.body == on_ground && passage.to.body == on_ground;
+    const auto moves = [&](std::uint32_t body) {
+        if (body == on_ground) return false;
+        const game::Route& route = atlas_->level().bodies[body].route;
+        return !route.stops.empty() || route.deg_per_s != 0;
+    };
+    const bool still = !moves(passage.from.body) && !moves(passage.to.body);
     if (still && style_turn_ > 2 * count + hops_kept) fail(game);
     foresight_->look(game);
 }
@@ -285,6 +290,15 @@ Intent Navigator::hop(const game::Game& game) {
         return {};
     }
     const bool elsewhere = hop_.is_under_way() && !there && hero.body.footing == Footing::ground;
+    const std::size_t on = foresight_->body_of(hero.body.ground_body);
+    if (elsewhere && phase_ticks_ > 10 && on < atlas_->level().bodies.size() &&
+        atlas_->level().bodies[on].kind == game::BodyKind::bounce) {
+        fail(game);  // thrown up again: where to is decided now, not when it is in the air
+        pause_ = 0;
+        think_in_ = 0;
+        think(game);
+        return {};
+    }
     lost_for_ = elsewhere ? lost_for_ + 1 : 0;
     if (phase_ticks_ > longest_hop || (lost_for_ > 15 && !throws)) {
         lost_for_ = 0;
