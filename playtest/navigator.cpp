@@ -124,6 +124,7 @@ void Navigator::notice(const game::Game& game) {
     for (const game::GameEvent& event : game.events()) {
         switch (event.what) {
             case game::Happening::respawned:
+            case game::Happening::lost:
                 if (phase_ == Phase::hops || phase_ == Phase::waits || phase_ == Phase::manoeuvres) fail(game);
                 phase_ = Phase::thinks;
                 pause_ = reaction + dice_.whole(0, 12);
