@@ -9,9 +9,9 @@
 
 namespace surefoot::game {
 
-Expected<std::unique_ptr<Game>> Game::start(std::shared_ptr<const Level> level) {
+Expected<std::unique_ptr<Game>> Game::start(std::shared_ptr<const Level> level, const std::atomic<bool>* stop) {
     std::unique_ptr<Game> game(new Game(std::move(level)));
-    if (auto built = game->build(); !built) return tl::unexpected(built.error());
+    if (auto built = game->build(stop); !built) return tl::unexpected(built.error());
     return game;
 }
 
@@ -27,7 +27,7 @@ Game::Game(std::shared_ptr<const Level> level)
 
 Game::~Game() = default;
 
-Expected<void> Game::build() {
+Expected<void> Game::build(const std::atomic<bool>* stop) {
     const auto ground = world_.add(level_->ground, {.layers = still_layer});
     if (!ground) return tl::unexpected(ground.error());
     ground_body_ = world_.poses(*ground).body;
@@ -47,7 +47,7 @@ Expected<void> Game::build() {
     has_harm_ = std::ranges::any_of(level_->materials, &Material::deadly) ||
                 std::ranges::any_of(level_->bodies, [](const BodyPlan& body) { return body.kind == BodyKind::hazard; });
     for (std::uint32_t plan = 0; plan < level_->pickups.size(); ++plan) (void)pickups_.insert(Pickup{plan});
-    auto minds = EnemyMinds::make(*level_, world_);
+    auto minds = EnemyMinds::make(*level_, world_, stop);
     if (!minds) return tl::unexpected(minds.error());
     minds_ = std::move(*minds);
     for (std::uint32_t plan = 0; plan < level_->enemies.size(); ++plan) {

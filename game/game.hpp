@@ -2,6 +2,7 @@
 /// same inputs give the same game, bit for bit, so that a run is its inputs.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,8 +30,10 @@ enum class Outcome : std::uint8_t {
 /// Threads: one at a time. Memory: made at the start; `tick` allocates only where enemies plan their ways.
 class Game {
 public:
-    /// Fails as `World::add` does.
-    [[nodiscard]] static Expected<std::unique_ptr<Game>> start(std::shared_ptr<const Level> level);
+    /// Fails as `World::add` does. The first start of a level with enemies who jump takes seconds: their ways are
+    /// looked for, and kept for the next time. Once `stop` is true, that ends soon and the start fails with `invalid`.
+    [[nodiscard]] static Expected<std::unique_ptr<Game>> start(std::shared_ptr<const Level> level,
+                                                               const std::atomic<bool>* stop = nullptr);
     ~Game();
     Game(const Game&) = delete;
     Game& operator=(const Game&) = delete;
@@ -80,7 +83,7 @@ public:
 
 private:
     explicit Game(std::shared_ptr<const Level> level);
-    [[nodiscard]] Expected<void> build();
+    [[nodiscard]] Expected<void> build(const std::atomic<bool>* stop);
 
     void move_bodies();
     void move_hero(const HeroInput& input);

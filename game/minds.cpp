@@ -34,7 +34,7 @@ std::vector<NavigationRegion> regions_about(const Level& level, const EnemyPlan&
 }
 
 Expected<NavigationMesh> jumping_ground(const Level& level, const World& world, const CharacterSettings& settings,
-                                        const EnemyPlan& enemy) {
+                                        const EnemyPlan& enemy, const std::atomic<bool>* stop) {
     std::string path;
     if (level.hash != 0) {
         struct Key {
@@ -52,9 +52,12 @@ Expected<NavigationMesh> jumping_ground(const Level& level, const World& world, 
     const std::vector<NavigationRegion> regions = regions_about(level, enemy);
     auto mesh = NavigationMesh::build(world, settings, {.regions = regions, .layers = still_layer});
     if (!mesh) return mesh;
-    const auto links =
-        find_links(world, settings, *mesh,
-                   {.run_speed = jumper_speed, .spacing = 2.5, .margins = {.begin = 0}, .regions = regions});
+    const auto links = find_links(
+        world, settings, *mesh,
+        {.run_speed = jumper_speed, .spacing = 2.5, .margins = {.begin = 0}, .regions = regions, .stop = stop});
+    // What was found until then is not all there is, so it is not kept.
+    if (stop != nullptr && *stop)
+        return tl::unexpected(Error{ErrorCode::invalid, level.file + ": looking for ways was stopped", level.file, 0});
     if (const auto set = mesh->set_links(links); !set) return tl::unexpected(set.error());
     if (!path.empty()) {
         // A cache that cannot be written costs time the next time, and nothing else.
@@ -78,7 +81,8 @@ CharacterSettings enemy_settings(std::span<const SurfaceRule> rules) {
     return settings;
 }
 
-Expected<std::unique_ptr<EnemyMinds>> EnemyMinds::make(const Level& level, const World& world) {
+Expected<std::unique_ptr<EnemyMinds>> EnemyMinds::make(const Level& level, const World& world,
+                                                       const std::atomic<bool>* stop) {
     const auto walks = [](const EnemyPlan& plan) { return plan.kind != EnemyKind::shooter; };
     if (std::ranges::none_of(level.enemies, walks)) return nullptr;
     const CharacterSettings settings = enemy_settings(level.rules);
@@ -88,7 +92,8 @@ Expected<std::unique_ptr<EnemyMinds>> EnemyMinds::make(const Level& level, const
         if (enemy.kind == EnemyKind::shooter) continue;
         const bool jumps = enemy.kind == EnemyKind::jumper;
         if (!jumps && minds->walkers_) continue;
-        auto mesh = jumps ? jumping_ground(level, world, settings, enemy) : walking_ground(level, world, settings);
+        auto mesh =
+            jumps ? jumping_ground(level, world, settings, enemy, stop) : walking_ground(level, world, settings);
         if (!mesh) return tl::unexpected(mesh.error());
         auto ground = std::make_unique<Ground>(std::move(*mesh));
         if (jumps)

@@ -2,6 +2,7 @@
 /// a follower each.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <vector>
@@ -26,8 +27,9 @@ inline constexpr std::uint64_t moving_layer = 2;
 class EnemyMinds {
 public:
     /// Null where nobody needs to walk. Fails as building a navigation mesh does. What takes long, the links of those
-    /// who jump, is kept in the user's cache folder for the next time.
-    [[nodiscard]] static Expected<std::unique_ptr<EnemyMinds>> make(const Level& level, const World& world);
+    /// who jump, is kept in the user's cache folder for the next time; once `stop` is true it ends soon and fails.
+    [[nodiscard]] static Expected<std::unique_ptr<EnemyMinds>> make(const Level& level, const World& world,
+                                                                    const std::atomic<bool>* stop = nullptr);
 
     /// A follower for an enemy of this plan; its number.
     [[nodiscard]] std::uint32_t add(std::uint32_t plan);

@@ -98,25 +98,26 @@ void add_sessions(std::string& out, std::span<const Session> sessions) {
     if (sessions.empty()) return;
     out +=
         "<h2>People</h2>\n<table><tr><th>who</th><th>plays</th><th>with</th><th class=n>fun</th><th "
-        "class=n>difficulty</th><th class=n>control</th><th>would go on</th></tr>";
-    for (const Session& session : sessions)
-        out += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td "
-            "class=n>{}</td><td>{}</td></tr>",
-            escaped(session.start.player), escaped(session.start.plays_games), escaped(session.start.device),
-            session.answers.fun, session.answers.difficulty, session.answers.control,
-            session.answers.would_go_on ? "yes" : "no");
+        "class=n>difficulty</th><th class=n>control</th><th class=n>knew the way</th><th class=n>would go "
+        "on</th></tr>";
+    const auto mark = [](int answer) { return answer == 0 ? std::string("\u2013") : std::to_string(answer); };
+    for (const Session& session : sessions) {
+        const Questionnaire& answers = session.answers;
+        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>", escaped(session.start.player),
+                           escaped(session.start.plays_games), escaped(session.start.device));
+        for (const int answer : {answers.fun, answers.difficulty, answers.control, answers.way, answers.again})
+            out += fmt::format("<td class=n>{}</td>", mark(answer));
+        out += "</tr>";
+    }
     out += "</table>\n";
     for (const Session& session : sessions) {
         out += fmt::format("<h3>{}</h3><ul>", escaped(session.start.player));
-        const auto say = [&](const char* what, const std::string& text) {
-            if (!text.empty()) out += fmt::format("<li>{}: {}</li>", what, escaped(text));
-        };
-        say("did not know where to go", session.answers.lost_at);
-        say("best", session.answers.best);
-        say("worst", session.answers.worst);
+        if (!session.answers.remark.empty()) out += fmt::format("<li>said: {}</li>", escaped(session.answers.remark));
         for (const SessionNote& note : session.notes)
-            say(fmt::format("{} at {}", escaped(note.run), minutes(note.seconds)).c_str(), note.text);
+            out += fmt::format("<li>{}: {}</li>",
+                               note.run.empty() ? std::string("between runs")
+                                                : fmt::format("{} at {}", escaped(note.run), minutes(note.seconds)),
+                               note.text.empty() ? std::string("marked") : escaped(note.text));
         out += "</ul>\n";
     }
 }

@@ -30,16 +30,16 @@ Expected<void> write_session(const Session& session) {
                     {{"player", start.player},
                      {"plays_games", start.plays_games},
                      {"device", start.device},
-                     {"played_before", start.played_before}}},
+                     {"played_before", start.played_before},
+                     {"consent", start.consent}}},
                    {"notes", notes},
                    {"answers",
                     {{"fun", answers.fun},
                      {"difficulty", answers.difficulty},
                      {"control", answers.control},
-                     {"would_go_on", answers.would_go_on},
-                     {"lost_at", answers.lost_at},
-                     {"best", answers.best},
-                     {"worst", answers.worst}}},
+                     {"way", answers.way},
+                     {"again", answers.again},
+                     {"remark", answers.remark}}},
                    {"runs", session.runs}};
     return game::write_whole(session.folder + "/session.json",
                              out.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
@@ -58,7 +58,8 @@ Expected<Session> read_session(const std::string& folder) {
         session.start = {.player = start.at("player").get<std::string>(),
                          .plays_games = start.value("plays_games", std::string{}),
                          .device = start.value("device", std::string{}),
-                         .played_before = start.value("played_before", false)};
+                         .played_before = start.value("played_before", false),
+                         .consent = start.value("consent", false)};
         for (const json& note : from.value("notes", json::array()))
             session.notes.push_back({note.at("run").get<std::string>(), note.at("seconds").get<double>(),
                                      note.value("text", std::string{})});
@@ -66,10 +67,9 @@ Expected<Session> read_session(const std::string& folder) {
         session.answers = {.fun = std::clamp(answers.value("fun", 0), 0, 5),
                            .difficulty = std::clamp(answers.value("difficulty", 0), 0, 5),
                            .control = std::clamp(answers.value("control", 0), 0, 5),
-                           .would_go_on = answers.value("would_go_on", false),
-                           .lost_at = answers.value("lost_at", std::string{}),
-                           .best = answers.value("best", std::string{}),
-                           .worst = answers.value("worst", std::string{})};
+                           .way = std::clamp(answers.value("way", 0), 0, 5),
+                           .again = std::clamp(answers.value("again", 0), 0, 5),
+                           .remark = answers.value("remark", std::string{})};
         session.runs = from.value("runs", std::vector<std::string>{});
     } catch (const json::exception& error) {
         return tl::unexpected(Error{ErrorCode::unreadable, file + ": no session: " + error.what(), file, 0});

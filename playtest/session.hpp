@@ -16,25 +16,25 @@ namespace surefoot::playtest {
 struct StartForm {
     std::string player{};
     std::string plays_games{};  ///< "never", "sometimes", "often"
-    std::string device{};       ///< "keyboard", "mouse", "gamepad"
+    std::string device{};       ///< "keyboard", "keyboard and mouse", "gamepad"
     bool played_before = false;
+    bool consent = false;  ///< they agreed to what is kept
 };
 
 /// The observer pressed the note key.
 struct SessionNote {
-    std::string run;  ///< the name of its file, without the ending
-    double seconds = 0;
-    std::string text;
+    std::string run;      ///< the name of its file, without the ending; empty: between runs
+    double seconds = 0;   ///< of the run
+    std::string text;     ///< empty: a marker without words
 };
 
 struct Questionnaire {
     int fun = 0;         ///< 1 to 5; 0: not answered
     int difficulty = 0;  ///< 1 too easy, 3 right, 5 too hard
     int control = 0;     ///< 1 "it does not do what I want" to 5 "as if by itself"
-    bool would_go_on = false;
-    std::string lost_at{};  ///< where they did not know where to go
-    std::string best{};
-    std::string worst{};
+    int way = 0;      ///< knew where to go: 1 never to 5 always
+    int again = 0;    ///< would go on: 1 "no" to 5 "at once"
+    std::string remark{};
 };
 
 struct Session {

@@ -144,7 +144,7 @@ TEST(NavigationCheck, AMeshForAWiderBodyDoesNotKnowWhatFeetReach) {
     EXPECT_FALSE(check.is_covered()) << check.agreement.covered();
 }
 
-// Broken variant: ground counts as known if the mesh ends within a whole cell of it, which is as wide as what is lost.
+// Broken variant: ground counts as known if the mesh ends within a cell of the flood, as wide as what is lost.
 TEST(NavigationCheck, AMeshForASomewhatWiderBodyDoesNotKnowTheGroundAlongWalls) {
     const NavigationCheck check = check_wrong(walls(), 5, [](NavigationAgent& agent) { agent.radius = 0.7; });
     EXPECT_FALSE(check.is_covered()) << check.agreement.covered();

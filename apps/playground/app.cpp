@@ -86,6 +86,7 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
                               options.scene, options.ghost_command});
     app->stage_->beat = options.beat;
     app->stage_->bot = options.bot;
+    app->stage_->session = options.session;
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.only_room.empty() ? options.room : options.only_room);
     return app;
@@ -317,7 +318,7 @@ void App::draw_house_ui() {
         ImGui::Dummy(bar);
         ImGui::End();
     }
-    toasts_.draw();
+    toasts_.draw(room_->lower_edge());
     if (!help_) return;
     std::vector<view::HelpPage> pages;
     if (!room_->help().empty()) pages.push_back({"In this room", room_->help()});
@@ -350,6 +351,7 @@ void App::keep_screenshots() {
 
 void App::keep_settings() {
     if (settings_path_.empty()) return;
+    settings_.full_screen = display_->is_full_screen();  // a room may have an option for it
     if (!display_->is_full_screen() && !options_.headless && !options_.size) {
         // A window that is opened is made larger by the scale of its screen, where that counts in pixels.
         settings_.width = static_cast<int>(std::lround(display_->size().x / display_->scale()));

@@ -23,8 +23,9 @@ struct Options {
     std::string room;
     std::string only_room{};  ///< a program of its own: no start screen, no help and overlay of the house
     std::string title = "Surefoot playground";
-    int beat = 0;      ///< of the platformer's level: seen as its picture is taken
-    bool bot = false;  ///< a bot plays where there is a game
+    int beat = 0;           ///< of the platformer's level: seen as its picture is taken
+    bool bot = false;       ///< a bot plays where there is a game
+    std::string session{};  ///< the folder of an afternoon with people
     std::string level;
     std::string scene;               ///< of the course
     std::string ghost_command;       ///< a program that walks it

@@ -17,6 +17,7 @@ Examples:
   surefoot-platformer clockwork              a level at once, by the name of its file
   surefoot-platformer my/castle.glb          a level of yours: docs/levels.md tells how to make one
   surefoot-platformer first-steps --bot      watch a bot play it
+  surefoot-platformer --session afternoon    somebody is tested: docs/playtesting.md is the guide
   surefoot-platformer --headless --script tour.txt
 
 WASD or the left stick runs, Space or A jumps (twice, and off walls), Shift or X dashes, Control or B crouches; the mouse
@@ -39,6 +40,10 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     program.add_flag("--bot", options.bot, "A bot plays");
     program.add_option("--beat", options.beat, "See this beat of the level, as its picture in docs/levels is taken")
         ->check(CLI::Range(1, 100));
+    program
+        .add_option("--session", options.session,
+                    "Somebody is tested: forms, F9 for a note, F10 for a mark; everything is kept in a folder in DIR")
+        ->type_name("DIR");
     add_picture_options(program, options, size);
     try {
         program.parse(argc, argv);

@@ -28,7 +28,9 @@ public:
         platformer::TheatreOptions options =
             stage.headless ? platformer::TheatreOptions{} : platformer::usual_theatre();
         options.headless = stage.headless;
+        options.background = !stage.headless;
         options.beat = stage.beat;
+        options.session = stage.session;
         if (stage.bot) options.pilot = platformer::bot_pilot();
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
@@ -58,6 +60,7 @@ public:
     void draw(view::Renderer&) override { theatre_->draw(stage_->waiting / tick); }
     void draw_over(unsigned framebuffer) override { theatre_->draw_over(framebuffer); }
     void ui() override {}
+    [[nodiscard]] double lower_edge() const override { return theatre_->lower_edge(); }
     [[nodiscard]] bool wants_quit() const override { return theatre_->wants_quit(); }
 
 private:

@@ -37,6 +37,7 @@ struct Stage {
     std::string ghost_command{};    ///< a program that walks it beside ours, likewise
     int beat = 0;                   ///< of the platformer's level: seen as its picture is taken; 0: none
     bool bot = false;               ///< it plays, where there is a game
+    std::string session{};          ///< the folder of an afternoon with people; empty: nobody is tested
     double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 
     // What these call back belongs to the room that is open: once that is left, `done` is never called.
@@ -81,6 +82,9 @@ public:
 
     /// What lies flat over the world and under the panels; drawn at once, into this framebuffer object.
     virtual void draw_over(unsigned /*framebuffer*/) {}
+
+    /// So much at the window's lower edge is the room's own: messages stand above it [window units].
+    [[nodiscard]] virtual double lower_edge() const { return 0; }
 
     /// The user has had enough of the program.
     [[nodiscard]] virtual bool wants_quit() const { return false; }

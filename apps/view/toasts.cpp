@@ -27,13 +27,13 @@ bool Toasts::update(double dt) {
     return !toasts_.empty();
 }
 
-void Toasts::draw() const {
+void Toasts::draw(double free) const {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float letter = ImGui::GetFontSize();
     // At the bottom of what panels leave free: what a toast lies on, nobody can press.
     const Area part = ui::uncovered(ivec2(static_cast<int>(size.x), static_cast<int>(size.y)));
     const auto middle = static_cast<float>(part.middle().x);
-    float bottom = static_cast<float>(part.high.y) - letter;
+    float bottom = static_cast<float>(std::min(double(part.high.y), size.y - free)) - letter;
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     for (auto toast = toasts_.rbegin(); toast != toasts_.rend(); ++toast) {
         const char* const begin = toast->text.data();

@@ -15,7 +15,8 @@ public:
 
     /// Lets `dt` seconds pass; true while there is anything to be seen.
     bool update(double dt);
-    void draw() const;
+    /// `free` at the lower edge is somebody else's [window units].
+    void draw(double free = 0) const;
 
     /// Those that are shown, oldest first.
     [[nodiscard]] std::vector<std::string> texts() const;

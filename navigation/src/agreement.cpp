@@ -105,11 +105,6 @@ std::unordered_set<dtPolyRef> leading_to(const dtNavMesh& detour, dtPolyRef to, 
 /// Doors count as open: behind them is ground, too.
 constexpr std::uint16_t shut = navigation::taken_out;
 
-/// The mesh knows a cell of the flood that it comes into, half a cell from the middle, or would but for the quarter of
-/// a radius that it keeps from every edge. As a share of the cell; within a whole one, a mesh for twice the radius
-/// would know all the ground along walls.
-constexpr double known_within = 0.75;
-
 }  // namespace
 }  // namespace v0
 
@@ -141,12 +136,17 @@ void keep_joined(NavigationMesh& mesh, const NavigationFlood& flood, const dvec3
     });
     mesh.take_out(out);
 
+    // The mesh knows what it comes into, half a cell of the flood from the middle, or would but for the cell of its own
+    // that it keeps from every edge. A mesh for a wider body has wider cells and is granted no more: else it would know
+    // all the ground along walls.
+    const double cell_for_feet = state.plan.cell_size * std::min(1.0, flood.radius / mesh.agent().radius);
+    const double aside = flood.cell / 2 + cell_for_feet;
     constexpr std::size_t most_missing = 1000;
     agreement.flood_covered = 0;
     agreement.missing.clear();
     for (const NavigationFloodCell& cell : flood.cells) {
         if (!cell.returns) continue;
-        if (query.nearest(cell.feet, known_within * flood.cell, vertical)) {
+        if (query.nearest(cell.feet, aside, vertical)) {
             agreement.flood_covered += flood.cell * flood.cell;
         } else if (agreement.missing.size() < most_missing) {
             agreement.missing.push_back(cell.feet);

@@ -89,6 +89,7 @@ public:
         for (const LinkWay& way : link_ways_)
             if (flood_.cells[way.from].returns && flood_.cells[way.to].returns) flood_.links_used[way.link] = true;
         flood_.cell = side_;
+        flood_.radius = agent_.radius;
         return std::move(flood_);
     }
 

@@ -17,9 +17,9 @@ protected:
 TEST_F(SessionFolder, is_read_as_it_was_written) {
     const Session written{
         .folder = root + "/b",
-        .start = {.player = "B", .plays_games = "often", .device = "gamepad", .played_before = true},
+        .start = {.player = "B", .plays_games = "often", .device = "gamepad", .played_before = true, .consent = true},
         .notes = {{.run = "first-steps", .seconds = 12.5, .text = "laughs"}},
-        .answers = {.fun = 4, .difficulty = 3, .control = 5, .would_go_on = true, .best = "the ferries"},
+        .answers = {.fun = 4, .difficulty = 3, .control = 5, .way = 2, .again = 1, .remark = "the ferries"},
         .runs = {"first-steps"}};
     ASSERT_TRUE(write_session(written));
     ASSERT_TRUE(
@@ -31,11 +31,14 @@ TEST_F(SessionFolder, is_read_as_it_was_written) {
     const Session& b = (*read)[1];
     EXPECT_EQ(b.start.device, "gamepad");
     EXPECT_TRUE(b.start.played_before);
+    EXPECT_TRUE(b.start.consent);
     ASSERT_EQ(b.notes.size(), 1U);
     EXPECT_EQ(b.notes[0].text, "laughs");
     EXPECT_EQ(b.notes[0].seconds, 12.5);
     EXPECT_EQ(b.answers.control, 5);
-    EXPECT_EQ(b.answers.best, "the ferries");
+    EXPECT_EQ(b.answers.way, 2);
+    EXPECT_EQ(b.answers.again, 1);
+    EXPECT_EQ(b.answers.remark, "the ferries");
     EXPECT_EQ(b.runs, std::vector<std::string>{"first-steps"});
 }
 

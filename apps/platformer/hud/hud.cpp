@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <vector>
 
 #include "platformer/screens/draw_screens.hpp"
 
@@ -120,6 +121,7 @@ struct Painter {
 
     void prompt() const;
     void markers(const Rect& map) const;
+    [[nodiscard]] dvec2 free_place(dvec2 at, const Rect& map) const;
     void hurts() const;
 };
 
@@ -177,10 +179,42 @@ void Painter::prompt() const {
     }
 }
 
+/// Not over the figures in the corners, nor over the map, nor over the hero: inwards along the edge.
+dvec2 Painter::free_place(dvec2 at, const Rect& map) const {
+    const dvec2 size = canvas.size();
+    if (at.y < 130 && at.x < 250) at.y = 130;
+    if (at.y < 100 && at.x > size.x - 190) at.y = 100;
+    if (at.y < 130 && shows_section() && std::abs(at.x - size.x / 2) < 260) at.y = 130;
+    if (map.grown(26).has(at)) at.y = map.low.y - 27;
+    if (!hud.prompt.empty() && at.y > size.y - 110 && !map.grown(26).has(at)) at.y = size.y - 110;
+    if (const Rect aside = hero.grown(52); aside.has(at)) at.x = at.x < hero.middle().x ? aside.low.x : aside.high.x;
+    return at;
+}
+
 void Painter::markers(const Rect& map) const {
     const dvec2 size = canvas.size();
+    constexpr double from_edge = 52;
+    const dvec2 apart(48, 62);  // a marker with its arrow and its metres
+    std::vector<dvec2> taken;
+    const auto is_free = [&](const dvec2& at) {
+        return std::ranges::none_of(taken, [&](const dvec2& other) {
+            return std::abs(at.x - other.x) < apart.x && std::abs(at.y - other.y) < apart.y;
+        });
+    };
+    // Where another one stands, along the edge to the next place that is free, to either side.
+    const auto settle = [&](const dvec2& wanted) {
+        const dvec2 room = size / 2.0 - from_edge;
+        const dvec2 out = glm::abs(wanted - size / 2.0) / room;
+        const dvec2 along = out.x > out.y ? dvec2(0, apart.y) : dvec2(apart.x, 0);
+        for (int step = 0; step < 24; ++step) {
+            const double by = (step % 2 == 0 ? -0.5 : 0.5) * ((step + 1) / 2);
+            const dvec2 at = free_place(glm::clamp(wanted + along * by, dvec2(from_edge), size - from_edge), map);
+            if (is_free(at)) return at;
+        }
+        return free_place(wanted, map);
+    };
     for (const HudMarker& marker : hud.markers) {
-        const auto edge = edge_place(hud.camera, marker.place, size, 52);
+        const auto edge = edge_place(hud.camera, marker.place, size, from_edge);
         if (!edge) continue;
         Sign sign = Sign::flag;
         Colour colour = palette.goal;
@@ -203,15 +237,8 @@ void Painter::markers(const Rect& map) const {
                 sign = Sign::ghost, colour = palette.quiet;
                 break;
         }
-        dvec2 at = edge->at;
-        // Not over the figures in the corners, nor over the map: inwards along the edge.
-        if (at.y < 130 && at.x < 250) at.y = 130;
-        if (at.y < 100 && at.x > size.x - 190) at.y = 100;
-        if (at.y < 130 && shows_section() && std::abs(at.x - size.x / 2) < 260) at.y = 130;
-        if (map.grown(26).has(at)) at.y = map.low.y - 27;
-        if (!hud.prompt.empty() && at.y > size.y - 110 && !map.grown(26).has(at)) at.y = size.y - 110;
-        if (const Rect aside = hero.grown(52); aside.has(at))
-            at.x = at.x < hero.middle().x ? aside.low.x : aside.high.x;
+        const dvec2 at = settle(edge->at);
+        taken.push_back(at);
         const dvec2 way(std::sin(edge->turn), -std::cos(edge->turn));
         canvas.disc(at, 19, Fill(with_opacity(palette.ink, 0.75)).edged(colour, 2));
         canvas.sign(sign, at, 21, colour);

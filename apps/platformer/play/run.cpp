@@ -34,16 +34,25 @@ double facing_of(const dvec3& direction) {
     return std::atan2(direction.x, direction.z);
 }
 
-Expected<std::unique_ptr<Run>> Run::start(Plan plan) {
-    auto game = game::Game::start(plan.level);
+Expected<Run::Prepared> Run::prepare(Plan plan, const std::atomic<bool>* stop) {
+    auto game = game::Game::start(plan.level, stop);
     if (!game) return tl::unexpected(game.error());
-    std::unique_ptr<Run> run(new Run(std::move(plan)));
-    run->game_ = std::move(*game);
-    if (run->plan_.ghost) {
-        auto ghost = game::Game::start(run->plan_.level);
+    Prepared made{.plan = std::move(plan), .game = std::move(*game)};
+    if (made.plan.ghost) {
+        auto ghost = game::Game::start(made.plan.level, stop);
         if (!ghost) return tl::unexpected(ghost.error());
+        made.ghost = std::move(*ghost);
+    }
+    if (made.plan.pilot.study && !made.plan.watched) made.plan.pilot.study(*made.game);
+    return made;
+}
+
+std::unique_ptr<Run> Run::start(Prepared prepared) {
+    std::unique_ptr<Run> run(new Run(std::move(prepared.plan)));
+    run->game_ = std::move(prepared.game);
+    if (prepared.ghost) {
         run->ghost_.emplace(
-            Ghost{.game = std::move(*ghost), .player = std::make_unique<game::Player>(*run->plan_.ghost)});
+            Ghost{.game = std::move(prepared.ghost), .player = std::make_unique<game::Player>(*run->plan_.ghost)});
         run->ghost_->pose = hero_at(run->ghost_->game->hero().body, run->game_->settings());
         run->ghost_->before = run->ghost_->pose;
     }
@@ -95,7 +104,7 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
         stands_anew = !player_->tick(*game_);
         if (stands_anew) is_over_ = true;
     } else {
-        game::HeroInput input = plan_.pilot ? plan_.pilot(*game_) : input_of(asked);
+        game::HeroInput input = plan_.pilot ? plan_.pilot.decide(*game_) : input_of(asked);
         game_->tick(input);
         if (game_->outcome() == game::Outcome::playing || !game_->events().empty()) recorder_.tick(input, *game_);
     }

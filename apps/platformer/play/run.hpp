@@ -2,6 +2,7 @@
 /// it, and perhaps a ghost beside it.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,8 +19,13 @@
 
 namespace surefoot::platformer {
 
-/// Who plays instead of the player: asked for the input of each tick.
-using Pilot = std::function<game::HeroInput(const game::Game&)>;
+/// Who plays instead of the player.
+struct Pilot {
+    std::function<void(const game::Game&)> study{};              ///< once a game, before its first tick; on any thread
+    std::function<game::HeroInput(const game::Game&)> decide{};  ///< the input of each tick
+
+    [[nodiscard]] explicit operator bool() const { return decide != nullptr; }
+};
 
 class Run {
 public:
@@ -31,8 +37,18 @@ public:
         Pilot pilot{};                             ///< likewise
     };
 
-    /// Fails as `Game::start` does.
-    [[nodiscard]] static Expected<std::unique_ptr<Run>> start(Plan plan);
+    /// A run but for what is drawn of it.
+    struct Prepared {
+        Plan plan;
+        std::unique_ptr<game::Game> game;
+        std::unique_ptr<game::Game> ghost{};
+    };
+
+    /// What takes long, on any thread. Fails as `Game::start` does.
+    [[nodiscard]] static Expected<Prepared> prepare(Plan plan, const std::atomic<bool>* stop = nullptr);
+
+    /// Makes what is drawn: on the thread of the picture.
+    [[nodiscard]] static std::unique_ptr<Run> start(Prepared prepared);
 
     /// One tick. What happened in it is `game().events()`.
     void tick(const Asked& asked, const CameraSettings& camera);

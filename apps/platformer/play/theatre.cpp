@@ -1,10 +1,13 @@
 #include "platformer/play/theatre.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "platformer/play/hud_of.hpp"
+#include "platformer/screens/arrange.hpp"
 #include "platformer/screens/draw_screens.hpp"
 
 namespace surefoot::platformer {
@@ -51,12 +54,18 @@ Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOption
         progress_ = *read;
     else
         note(read.error().text);
+    if (display_.is_full_screen()) settings.full_screen = true;
     screens_ = Screens(settings);
     use_settings();
+    follow_window();
     screens_.open_title();
     speaker_.music(sound::Piece::calm);
-    library_.open(options_.level_folders, options_.headless);
-    if (library_.is_ready()) show_cards();
+    if (!options_.session.empty()) {
+        session_.emplace(options_.session);
+        screens_.ask(PlaySession::start_form());
+    }
+    library_.open(options_.level_folders, !options_.background);
+    if (library_.is_ready()) levels_are_there();
 }
 
 Theatre::~Theatre() {
@@ -65,20 +74,41 @@ Theatre::~Theatre() {
 
 void Theatre::show_cards() {
     screens_.set_levels(library_.cards(progress_, options_.recordings));
+}
+
+void Theatre::levels_are_there() {
+    show_cards();
     for (const std::string& complaint : library_.complaints()) note(complaint);
     if (library_.levels().empty()) {
-        note("There are no levels: put .glb files into a folder and name it with --levels.");
+        note("There are no levels. Where .glb files are to be put, docs/levels.md tells.");
         return;
     }
-    if (!options_.level.empty() && !run_) {
-        const std::string level = std::exchange(options_.level, {});
-        screens_.begin_level(level);
-        begin(level, Command::Kind::start);
+    begin_named_level();
+    if (!run_ && !preparation_.is_asked()) {
+        show_backdrop();
+        warm_next_level();
     }
-    if (!run_ && !backdrop_) {
-        auto behind = Run::start({.level = library_.levels().front()});
-        if (behind) backdrop_ = std::move(*behind);
-    }
+}
+
+/// The level of the command line, once; who is tested fills in the form first.
+void Theatre::begin_named_level() {
+    if (options_.level.empty() || !library_.is_ready() || (session_ && !session_->has_begun())) return;
+    const std::string id = std::exchange(options_.level, {});
+    screens_.begin_level(id);
+    begin(id, Command::Kind::start);
+}
+
+void Theatre::show_backdrop() {
+    // Enemies who jump would take their time, and nobody looks at them here.
+    const auto quick = std::ranges::find_if(library_.levels(), [](const auto& level) { return !has_jumpers(*level); });
+    if (backdrop_ || quick == library_.levels().end()) return;
+    if (auto behind = Run::prepare({.level = *quick})) backdrop_ = Run::start(std::move(*behind));
+}
+
+void Theatre::warm_next_level() {
+    const std::size_t next = screens_.next_to_play();
+    if (!options_.background || next >= screens_.levels().size()) return;
+    if (const auto level = library_.find(screens_.levels()[next].id)) preparation_.warm(level);
 }
 
 bool Theatre::event(const view::InputEvent& event) {
@@ -86,6 +116,9 @@ bool Theatre::event(const view::InputEvent& event) {
         shows_volume_ = !shows_volume_;
         return true;
     }
+    // A press belongs to the window as it is now, and not as it was when it was drawn last.
+    if (std::holds_alternative<view::Resize>(event)) lay_out();
+    if (session_ && session_->has_begun() && session_event(event)) return true;
     if (screens_.event(event)) return true;
     return screens_.is_playing() && controls_.event(event, screens_.settings().bindings);
 }
@@ -95,14 +128,21 @@ void Theatre::use_settings() {
     camera_settings_.field_of_view = settings.field_of_view * degree;
     camera_settings_.reduced_motion = settings.reduced_motion;
     speaker_.set_volumes({.master = settings.volume, .effects = settings.effects, .music = settings.music});
-    if (!options_.headless && settings.full_screen != display_.is_full_screen())
-        display_.set_full_screen(settings.full_screen);
+    if (settings.full_screen != display_.is_full_screen()) display_.set_full_screen(settings.full_screen);
+}
+
+/// F11 is the window's: the option says what it did.
+void Theatre::follow_window() {
+    if (display_.is_full_screen() == screens_.settings().full_screen) return;
+    screens_.set_full_screen(display_.is_full_screen());
+    obey({Command::Kind::keep, {}});
 }
 
 void Theatre::begin(const std::string& id, Command::Kind how) {
     const auto level = library_.find(id);
     if (!level) {
         note("There is no level '" + id + "'.");
+        close_run();
         screens_.open_title();
         return;
     }
@@ -119,21 +159,46 @@ void Theatre::begin(const std::string& id, Command::Kind how) {
             plan.watched = std::move(*recording);
         }
     }
-    auto run = Run::start(std::move(plan));
-    if (!run) {
-        note(run.error().text);
+    // What is there in a moment is not announced.
+    preparation_.ask(std::move(plan), options_.background ? 0.1 : 1e6);
+    take_prepared();
+    if (preparation_.is_asked()) screens_.show_getting_ready();
+}
+
+void Theatre::take_prepared() {
+    if (auto made = preparation_.take()) play(std::move(*made));
+}
+
+void Theatre::play(Expected<Run::Prepared> prepared) {
+    if (!prepared) {
+        note(prepared.error().text);
+        close_run();
         screens_.open_title();
         return;
     }
-    run_ = std::move(*run);
-    plan_ = plan_of(*level);
+    run_ = Run::start(std::move(*prepared));
+    const game::Level& level = run_->game().level();
+    plan_ = plan_of(level);
     ortho_.set_picture(plan_->picture);
     backdrop_.reset();
     controls_.release();
+    screens_.show_ready();
     shown_end_ = false;
     kept_ = false;
     over_for_ = 0;
-    speaker_.music(level->music == "lively" ? sound::Piece::lively : sound::Piece::calm);
+    if (session_ && !run_->is_watched()) session_->begin_run(level);
+    speaker_.music(level.music == "lively" ? sound::Piece::lively : sound::Piece::calm);
+}
+
+/// Nothing is played any more.
+void Theatre::close_run() {
+    preparation_.forget();
+    if (run_) keep_run();
+    run_.reset();
+    speaker_.music(sound::Piece::calm);
+    show_cards();
+    show_backdrop();
+    warm_next_level();
 }
 
 void Theatre::obey(const Command& command) {
@@ -148,7 +213,9 @@ void Theatre::obey(const Command& command) {
             if (run_) {
                 const std::string id = run_->game().level().id;
                 keep_run();
-                begin(id, run_->is_watched() ? Command::Kind::watch : Command::Kind::start);
+                begin(id, run_->is_watched() ? Command::Kind::watch
+                          : run_->ghost()    ? Command::Kind::race
+                                             : Command::Kind::start);
             }
             break;
         case Command::Kind::resume:
@@ -161,21 +228,23 @@ void Theatre::obey(const Command& command) {
             over_for_ = 0;
             break;
         case Command::Kind::leave:
-            if (run_) keep_run();
-            run_.reset();
-            speaker_.music(sound::Piece::calm);
-            show_cards();
+            close_run();
             break;
         case Command::Kind::settings:
             use_settings();
             break;
         case Command::Kind::keep:
-            if (!options_.settings.empty())
-                if (auto kept = write_game_settings(screens_.settings(), options_.settings); !kept)
-                    note(kept.error().text);
+            if (!options_.settings.empty()) note_wrong(write_game_settings(screens_.settings(), options_.settings));
             break;
         case Command::Kind::quit:
-            quit_ = true;
+            if (!session_ || !session_->has_begun() || !screens_.ask(PlaySession::end_form())) quit_ = true;
+            break;
+        case Command::Kind::answered:
+            take_answers();
+            break;
+        case Command::Kind::dismissed:
+            // Without the start form there is no session; without the other ones there is nothing to keep.
+            if (screens_.form().id != "note") quit_ = true;
             break;
     }
 }
@@ -183,15 +252,17 @@ void Theatre::obey(const Command& command) {
 void Theatre::keep_run() {
     if (run_->is_watched() || kept_ || run_->game().ticks() == 0) return;
     kept_ = true;
+    if (session_) note_wrong(session_->keep_run(run_->recording()));
     const game::Game& game = run_->game();
     const bool is_best = progress_.add(game);
     if (run_->is_piloted()) return;  // what somebody else did is no progress to keep
-    if (!options_.progress.empty())
-        if (auto kept = game::write_progress(options_.progress, progress_); !kept) note(kept.error().text);
+    if (!options_.progress.empty()) note_wrong(game::write_progress(options_.progress, progress_));
     if (is_best && !options_.recordings.empty())
-        if (auto kept = game::write_recording(best_run_path(options_.recordings, game.level().id), run_->recording());
-            !kept)
-            note(kept.error().text);
+        note_wrong(game::write_recording(best_run_path(options_.recordings, game.level().id), run_->recording()));
+}
+
+void Theatre::note_wrong(const Expected<void>& kept) {
+    if (!kept) note(kept.error().text);
 }
 
 void Theatre::end_of_run() {
@@ -228,7 +299,10 @@ void Theatre::end_of_run() {
 void Theatre::tick_run() {
     Asked asked = controls_.take(screens_.settings(), game::tick_seconds);
     if (asked.retry && run_->game().outcome() == game::Outcome::playing) run_->retry();
+    const std::size_t recorded = run_->recording().inputs.size();
     run_->tick(asked, camera_settings_);
+    if (session_ && run_->recording().inputs.size() > recorded)
+        session_->tick(run_->recording().inputs.back(), run_->game());
     ears_.tick(run_->game(), run_->pose_before(), run_->pose());
     ears_.listen(run_->camera_at(1));
     const bool is_over = run_->game().outcome() != game::Outcome::playing || run_->is_at_end();
@@ -237,14 +311,32 @@ void Theatre::tick_run() {
     if (is_over && !shown_end_ && over_for_ >= wait) end_of_run();
 }
 
+void Theatre::obey_all() {
+    while (const auto command = screens_.take()) obey(*command);
+}
+
+void Theatre::lay_out() {
+    // A window that is put away has no size.
+    const view::ivec2 pixels = glm::max(display_.framebuffer_size(), view::ivec2(1));
+    screens_.set_layout({.framebuffer = pixels,
+                         .user_scale = screens_.settings().ui_scale,
+                         .per_window_unit = double(pixels.y) / std::max(display_.size().y, 1)});
+}
+
+double Theatre::lower_edge() const {
+    constexpr double prompt_height = 100;  // of two rows, and the air about them
+    const view::Layout& layout = screens_.layout();
+    return (screens_.is_playing() ? prompt_height : foot_height) * layout.pixels() / layout.per_window_unit;
+}
+
 void Theatre::tick() {
     seconds_ += game::tick_seconds;
-    if (library_.update()) show_cards();
-    screens_.set_layout({.framebuffer = display_.framebuffer_size(),
-                         .user_scale = screens_.settings().ui_scale,
-                         .per_window_unit = double(display_.framebuffer_size().y) / display_.size().y});
+    if (library_.update()) levels_are_there();
+    lay_out();
     screens_.tick(game::tick_seconds);
-    while (const auto command = screens_.take()) obey(*command);
+    obey_all();
+    follow_window();
+    if (!screens_.is_playing() && screens_.top() == ScreenId::getting_ready) take_prepared();
     if (std::string notice = speaker_.take_notice(); !notice.empty() && !options_.headless) note(notice);
     const bool plays = run_ != nullptr && screens_.is_playing();
     speaker_.pause(run_ != nullptr && !screens_.is_playing());

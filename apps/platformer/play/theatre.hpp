@@ -11,6 +11,8 @@
 #include "platformer/hud/hud.hpp"
 #include "platformer/play/ears.hpp"
 #include "platformer/play/library.hpp"
+#include "platformer/play/play_session.hpp"
+#include "platformer/play/preparation.hpp"
 #include "platformer/play/run.hpp"
 #include "platformer/screens/controls.hpp"
 #include "platformer/screens/screens.hpp"
@@ -28,7 +30,9 @@ struct TheatreOptions {
     std::string settings;                    ///< its file; empty: nothing is kept
     std::string progress;                    ///< likewise
     std::string recordings;                  ///< its folder; likewise
-    bool headless = false;                   ///< no device for sound, levels are read at once
+    std::string session;                     ///< the folder of an afternoon with people; empty: nobody is tested
+    bool headless = false;                   ///< no device for sound, no pointer to be caught
+    bool background = false;                 ///< levels are read and made ready beside the drawing, not at once
     int beat = 0;                            ///< of the level: seen as its picture is taken; 0: it is played
     Pilot pilot{};                           ///< plays instead of the player
 };
@@ -62,15 +66,32 @@ public:
     [[nodiscard]] const Run* run() const { return run_.get(); }
     [[nodiscard]] const Library& library() const { return library_; }
     [[nodiscard]] const game::Progress& progress() const { return progress_; }
+    [[nodiscard]] const PlaySession* session() const { return session_ ? &*session_ : nullptr; }
+
+    /// What of the lower edge is the screens' own, so that nothing is laid over it [window units].
+    [[nodiscard]] double lower_edge() const;
 
 private:
     void obey(const Command& command);
+    void obey_all();
     void begin(const std::string& level, Command::Kind how);
+    void take_prepared();
+    void play(Expected<Run::Prepared> prepared);
+    void close_run();
     void end_of_run();
     void keep_run();
     void use_settings();
     void tick_run();
     void show_cards();
+    void levels_are_there();
+    void begin_named_level();
+    void show_backdrop();
+    void warm_next_level();
+    void lay_out();
+    void follow_window();
+    bool session_event(const view::InputEvent& event);
+    void take_answers();
+    void note_wrong(const Expected<void>& kept);
     [[nodiscard]] const game::Beat* beat() const;
     void note(const std::string& text) { notices_.push_back(text); }
 
@@ -83,6 +104,8 @@ private:
     Controls controls_;
     sound::Speaker speaker_;
     Ears ears_;
+    std::optional<PlaySession> session_;
+    Preparation preparation_;
     std::unique_ptr<Run> run_;
     std::unique_ptr<Run> backdrop_;  // behind the title: nobody plays it
     CameraSettings camera_settings_{};

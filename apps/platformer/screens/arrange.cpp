@@ -16,6 +16,7 @@ double widest(ScreenId id) {
         case ScreenId::options:
         case ScreenId::help:
         case ScreenId::credits:
+        case ScreenId::form:
             return 620;
         case ScreenId::bindings:
             return 740;

@@ -101,6 +101,19 @@ void draw_setting(Canvas& canvas, const Entry& entry, const Rect& place, const E
         canvas.box(pill, 10, Fill(on ? (look.focused ? p.ink : p.accent) : with_opacity(p.ink, 0.45)).edged(dark, 1));
         canvas.disc({on ? pill.high.x - 10 : pill.low.x + 10, y}, 7.5, p.paper);
         canvas.text_in(entry.value, {{pill.high.x + 12, place.low.y}, place.high}, {.size = 15, .colour = words});
+    } else if (entry.kind == Entry::Kind::line) {
+        const Rect line{{rail.low.x, place.low.y + 5}, {place.high.x - 12, place.high.y - 5}};
+        canvas.box(line, 5, Fill(with_opacity(p.ink, look.focused ? 0.8 : 0.45)).edged(dark, 1));
+        // A line that is too long shows its end: that is where one types.
+        const view::TextLook letters{.size = 15, .colour = p.paper};
+        std::string shown = entry.value;
+        while (!shown.empty() && canvas.width_of(shown, letters) > line.size().x - 20) {
+            do shown.erase(0, 1);
+            while (!shown.empty() && (static_cast<unsigned char>(shown.front()) & 0xC0U) == 0x80U);
+        }
+        canvas.text_in(shown, inset(line, 8), letters);
+        const double end = line.low.x + 10 + canvas.width_of(shown, letters);
+        if (look.focused) canvas.line({end, y - 8}, {end, y + 8}, 1.5, p.paper);
     } else {
         canvas.triangle({rail.low.x, y}, {rail.low.x + 9, y - 7}, {rail.low.x + 9, y + 7}, words, 1);
         canvas.triangle({place.high.x - 14, y}, {place.high.x - 23, y - 7}, {place.high.x - 23, y + 7}, words, 1);
@@ -130,7 +143,8 @@ void draw_entry(Canvas& canvas, const Screens& screens, const Entry& entry, cons
                         {.size = 16, .colour = p.accent, .face = Face::bold});
             break;
         case Entry::Kind::text:
-            fit_text(canvas, entry.label, {place.low, {place.low.x + place.size().x * 0.55, place.high.y}},
+            fit_text(canvas, entry.label,
+                     {place.low, {place.low.x + place.size().x * (entry.value.empty() ? 1 : 0.55), place.high.y}},
                      {.size = 15, .colour = p.quiet});
             fit_text(canvas, entry.value, {{place.low.x + place.size().x * 0.57, place.low.y}, place.high},
                      {.size = 15, .colour = p.paper, .face = Face::bold});

@@ -21,6 +21,8 @@ enum class ScreenId : std::uint8_t {
     lose,
     replay_end,
     quit,
+    getting_ready,  ///< what was chosen takes a moment
+    form,
     count,
 };
 
@@ -49,10 +51,13 @@ enum class Act : std::uint8_t {
     bind,  ///< `index` of the actions, and `place`
     reset_settings,
     reset_bindings,
+    field,    ///< `index` of the form's
+    submit,   ///< the form is filled in, and
+    dismiss,  ///< it is not
 };
 
 struct Entry {
-    enum class Kind : std::uint8_t { button, card, toggle, slider, choice, binding, heading, text };
+    enum class Kind : std::uint8_t { button, card, toggle, slider, choice, binding, line, heading, text };
 
     Kind kind = Kind::button;
     std::string label{};
@@ -69,7 +74,7 @@ struct Entry {
     /// Entries that are not enabled are reached too: their hint says why.
     [[nodiscard]] bool can_focus() const { return kind != Kind::heading && kind != Kind::text; }
     [[nodiscard]] bool is_adjusted() const {
-        return kind == Kind::toggle || kind == Kind::slider || kind == Kind::choice;
+        return kind == Kind::toggle || kind == Kind::slider || kind == Kind::choice || kind == Kind::line;
     }
 };
 

@@ -76,6 +76,28 @@ std::string level_name(const LevelCard& card) {
     return card.locked && card.secret ? "?" : card.title;
 }
 
+void write_form(Writer& to, const Form& form) {
+    for (const std::string& words : form.words) to.text(words);
+    for (std::size_t i = 0; i < form.fields.size(); ++i) {
+        const FormField& field = form.fields[i];
+        const Kind kind = field.kind == FormField::Kind::line     ? Kind::line
+                          : field.kind == FormField::Kind::choice ? Kind::choice
+                                                                  : Kind::toggle;
+        to.add({.kind = kind,
+                .label = field.label,
+                .value = field.value(),
+                .hint = field.hint,
+                .act = Act::field,
+                .index = i,
+                .share = field.agreed ? 1.0 : 0.0});
+    }
+    std::string missing;
+    for (const FormField& field : form.fields)
+        if (missing.empty() && field.required && !field.is_answered()) missing = "Still open: " + field.label;
+    to.button(form.done, Act::submit, form.is_complete(), missing);
+    to.button(form.dismiss, Act::dismiss);
+}
+
 }  // namespace
 
 std::string time_text(double seconds) {
@@ -221,6 +243,17 @@ Menu Screens::menu() const {
             menu.title = "Leave the game?";
             to.button("Stay", Act::back);
             to.button("Leave", Act::quit);
+            break;
+        case ScreenId::getting_ready:
+            menu.title = "Getting ready";
+            menu.subtitle = card != nullptr ? card->title : "";
+            to.text("Enemies look for their ways. This happens once.");
+            to.button("Back to the levels", Act::leave);
+            break;
+        case ScreenId::form:
+            menu.title = form_.title;
+            menu.subtitle = form_.subtitle;
+            write_form(to, form_);
             break;
         case ScreenId::count:
             break;

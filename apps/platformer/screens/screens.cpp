@@ -58,6 +58,36 @@ void Screens::show_replay_end() {
     push(ScreenId::replay_end);
 }
 
+void Screens::show_getting_ready() {
+    stack_.clear();
+    push(ScreenId::getting_ready);
+}
+
+void Screens::show_ready() {
+    if (!is_playing() && top() == ScreenId::getting_ready) stack_.clear();
+}
+
+bool Screens::ask(Form form) {
+    if (!is_playing() && top() == ScreenId::form) return false;
+    form_ = std::move(form);
+    push(ScreenId::form);
+    return true;
+}
+
+void Screens::end_form(Command::Kind how) {
+    // The command goes first: whoever reads the answers does so before the game goes on.
+    commands_.push_back({how, {}});
+    pop();
+}
+
+/// A press on a field: the next choice, or, where there is nothing to press, on to the next field.
+void Screens::fill_in(const Entry& entry) {
+    if (entry.kind == Entry::Kind::line)
+        move_rows(menu(), 1);
+    else
+        form_.fields[entry.index].step(1);
+}
+
 void Screens::begin_level(const std::string& id) {
     const auto found = std::find_if(levels_.begin(), levels_.end(), [&](const auto& level) { return level.id == id; });
     level_ = static_cast<std::size_t>(found - levels_.begin());
@@ -190,6 +220,10 @@ void Screens::move_within(const Menu& now, int direction, bool whole) {
 }
 
 void Screens::change(const Entry& entry, int direction) {
+    if (entry.act == Act::field) {
+        form_.fields[entry.index].step(direction);
+        return;
+    }
     adjust(setting_rows()[entry.index], settings_, direction);
     commands_.push_back({Command::Kind::settings, {}});
 }
@@ -216,7 +250,11 @@ void Screens::back() {
         case ScreenId::win:
         case ScreenId::lose:
         case ScreenId::replay_end:
+        case ScreenId::getting_ready:
             leave();
+            break;
+        case ScreenId::form:
+            end_form(Command::Kind::dismissed);
             break;
         default:
             pop();
@@ -297,6 +335,15 @@ void Screens::choose(const Entry& entry) {
             commands_.push_back({Command::Kind::settings, {}});
             break;
         }
+        case Act::field:
+            fill_in(entry);
+            break;
+        case Act::submit:
+            end_form(Command::Kind::answered);
+            break;
+        case Act::dismiss:
+            end_form(Command::Kind::dismissed);
+            break;
         case Act::reset_bindings:
             settings_.bindings = Bindings::defaults();
             commands_.push_back({Command::Kind::settings, {}});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "platformer/screens/form.hpp"
 #include "platformer/screens/game_settings.hpp"
 #include "platformer/screens/menu.hpp"
 #include "view/canvas.hpp"
@@ -25,6 +26,8 @@ struct Command {
         settings,  ///< they have changed: use them
         keep,      ///< write them to their file
         quit,
+        answered,   ///< `form` is filled in
+        dismissed,  ///< it was left as it was
     };
     Kind kind = Kind::resume;
     std::string level;
@@ -60,6 +63,17 @@ public:
     /// A level is played from now on that was not chosen here, as from the command line.
     void begin_level(const std::string& id);
 
+    /// What was chosen takes a moment; and it is there, so that nothing is over the game any more.
+    void show_getting_ready();
+    void show_ready();
+
+    /// Lays a form over whatever is there; false if one is there already.
+    bool ask(Form form);
+    [[nodiscard]] const Form& form() const { return form_; }
+
+    /// The window was made so by another hand than the option's.
+    void set_full_screen(bool full) { settings_.full_screen = full; }
+
     /// The next thing to do, once.
     [[nodiscard]] std::optional<Command> take();
 
@@ -72,6 +86,7 @@ public:
     [[nodiscard]] const GameSettings& settings() const { return settings_; }
     [[nodiscard]] Device device() const { return device_; }
     [[nodiscard]] const std::vector<LevelCard>& levels() const { return levels_; }
+    [[nodiscard]] std::size_t next_to_play() const;             ///< of them; their number if there is none
     [[nodiscard]] std::size_t level() const { return level_; }  ///< that is looked at or played
     [[nodiscard]] const WinResult& won() const { return win_; }
     [[nodiscard]] const LoseResult& lost() const { return lose_; }
@@ -109,10 +124,12 @@ private:
     void leave();
     void play(Command::Kind kind, std::size_t level);
     bool capture(const view::InputEvent& event);
+    bool typing(const view::InputEvent& event);
+    void fill_in(const Entry& entry);
+    void end_form(Command::Kind how);
     void pointer(const view::InputEvent& event);
     [[nodiscard]] Intent intent_of(const view::InputEvent& event);
     [[nodiscard]] Intent stick_intent();
-    [[nodiscard]] std::size_t next_to_play() const;
 
     GameSettings settings_;
     std::vector<LevelCard> levels_;
@@ -124,6 +141,7 @@ private:
     bool watching_ = false;
     WinResult win_{};
     LoseResult lose_{};
+    Form form_;
     std::optional<Capture> capture_;
     std::optional<std::size_t> dragged_;  // a slider in the mouse's hand
     view::dvec2 stick_{0, 0};

@@ -30,7 +30,7 @@ bool Screens::event(const view::InputEvent& event) {
         pause();
         return !away;  // the game lets go of its keys too
     }
-    if (capture(event)) return true;
+    if (capture(event) || typing(event)) return true;
     pointer(event);
     obey(intent_of(event));
     return true;
@@ -69,6 +69,43 @@ bool Screens::capture(const view::InputEvent& event) {
     }
     capture_.reset();
     return true;
+}
+
+/// A line that is in focus takes letters, with the keys that bring them; the others are there to move on.
+bool Screens::typing(const view::InputEvent& event) {
+    if (top() != ScreenId::form) return false;
+    const Menu now = menu();
+    const Entry& entry = now.entries[focus()];
+    if (entry.kind != Entry::Kind::line) return false;
+    FormField& field = form_.fields[entry.index];
+    if (const auto* const letters = std::get_if<view::TextInput>(&event)) {
+        field.type(letters->text);
+        return true;
+    }
+    const auto* const key = std::get_if<view::KeyPress>(&event);
+    if (key == nullptr) return false;
+    switch (key->key) {
+        case Key::backspace:
+            if (key->down) field.erase();
+            return true;
+        case Key::del:
+            if (key->down) field.text.clear();
+            return true;
+        case Key::enter:
+            // A form of one line is done with it.
+            if (form_.fields.size() > 1) return false;
+            if (key->down && !key->repeat && form_.is_complete()) end_form(Command::Kind::answered);
+            return true;
+        case Key::up:
+        case Key::down:
+        case Key::left:
+        case Key::right:
+        case Key::tab:
+        case Key::escape:
+            return false;
+        default:
+            return true;
+    }
 }
 
 Screens::Intent Screens::intent_of(const view::InputEvent& event) {
@@ -188,7 +225,7 @@ void Screens::pointer(const view::InputEvent& event) {
             drag(*over, at.x);
         } else if (entry.kind == Entry::Kind::choice) {
             change(entry, at.x < rail_of(all.places[*over]).middle().x ? -1 : 1);
-        } else {
+        } else if (entry.kind != Entry::Kind::line) {
             choose(entry);
         }
     }

@@ -128,6 +128,34 @@ TEST(Hud, never_covers_the_hero_whatever_it_shows) {
     }
 }
 
+// The defect: the goal and the checkpoint before it, both behind the same edge, lay on each other.
+TEST(EdgeMarkers, that_would_cover_each_other_step_aside) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(0, 1);
+    Canvas canvas(letters());
+    for (int i = 0; i < 2000; ++i) {
+        HudView hud = on_the_way();
+        const dvec3 place = dvec3(number(random) - 0.5, number(random) * 0.1, number(random) - 0.5) * 300.0;
+        for (int k = 0; k < 4; ++k)
+            hud.markers.push_back({static_cast<HudMarker::Kind>(k), place + dvec3(number(random), 0, number(random))});
+        canvas.begin({{800, 600}, 1});
+        draw_hud(canvas, hud, nullptr, {});
+        std::vector<dvec2> grounds;  // of the markers: discs of 38
+        for (const CanvasItem& item : canvas.items()) {
+            const view::Rect bounds = canvas.bounds_of(item);
+            if (item.b.w != static_cast<float>(CanvasItem::Kind::box) || std::abs(item.half.x - 19) > 1 ||
+                std::abs(item.half.y - 19) > 1)
+                continue;
+            for (const dvec2& other : grounds) ASSERT_GT(glm::length(other - bounds.middle()), 40) << "round " << i;
+            grounds.push_back(bounds.middle());
+        }
+        std::size_t outside = 0;
+        for (const HudMarker& marker : hud.markers)
+            outside += edge_place(hud.camera, marker.place, canvas.size(), 52) ? 1 : 0;
+        ASSERT_EQ(grounds.size(), outside);
+    }
+}
+
 TEST(Hud, keeps_within_the_window) {
     Canvas canvas(letters());
     for (const Layout layout : {Layout{{800, 600}, 1}, {{800, 600}, 1.5}, {{3840, 2160}, 1}, {{600, 900}, 1}}) {

@@ -38,6 +38,15 @@ std::vector<LevelCard> some_levels() {
     return all;
 }
 
+Form some_form() {
+    return {.id = "some",
+            .title = "A form",
+            .fields = {
+                {.key = "name", .label = "Name", .required = true},
+                {.kind = FormField::Kind::choice, .key = "often", .label = "How often?", .choices = {"never", "often"}},
+                {.kind = FormField::Kind::agree, .key = "yes", .label = "I agree", .required = true}}};
+}
+
 Screens with_levels() {
     Screens screens;
     screens.set_levels(some_levels());
@@ -115,6 +124,10 @@ TEST(Screens, all_are_reached_by_keys_alone) {
     screens.show_win({});
     look();
     screens.show_lose({});
+    look();
+    screens.show_getting_ready();
+    look();
+    ASSERT_TRUE(screens.ask(some_form()));
     look();
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(ScreenId::count));
 }
@@ -313,7 +326,7 @@ bool gets_to_the_title(Screens screens, bool by_pad) {
 view::InputEvent random_event(std::mt19937& random) {
     const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
     const view::dvec2 at(number(800), number(600));
-    switch (number(9)) {
+    switch (number(10)) {
         case 0:
         case 1:
             return view::KeyPress{.key = static_cast<Key>(1 + number(static_cast<int>(Key::count) - 1)),
@@ -333,6 +346,8 @@ view::InputEvent random_event(std::mt19937& random) {
             return view::ButtonPress{static_cast<view::MouseButton>(number(3)), number(2) == 0, at, {}};
         case 7:
             return view::WheelTurn{.by = {0, number(7) - 3.0}, .at = at};
+        case 8:
+            return view::TextInput{"\u00E9"};
         default:
             return view::FocusChange{number(2) == 0};
     }
@@ -350,11 +365,14 @@ TEST(Screens, half_an_hour_of_pressing_everything_never_ends_where_there_is_no_w
             if (!command.level.empty()) ++played;
         if (random() % 3000 == 0) screens.set_layout({{800, 600}, 0.5 + double(random() % 4) * 0.5});
         if (random() % 5000 == 0) screens.set_levels(random() % 2 == 0 ? some_levels() : std::vector<LevelCard>{});
+        if (random() % 1500 == 0) screens.ask(some_form());
         if (screens.is_playing()) {
-            if (random() % 200 == 0)
+            if (random() % (screens.is_watching() ? 5 : 200) == 0)
                 screens.is_watching() ? screens.show_replay_end() : screens.show_win({});
             else if (random() % 200 == 0 && !screens.is_watching())
                 screens.show_lose({});
+            else if (random() % 100 == 0)
+                screens.show_getting_ready();
         } else {
             seen.insert(screens.top());
             const Menu menu = screens.menu();
@@ -367,7 +385,8 @@ TEST(Screens, half_an_hour_of_pressing_everything_never_ends_where_there_is_no_w
         }
         ASSERT_TRUE(screens.settings().bindings.is_complete());
     }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(ScreenId::count));
+    for (std::size_t id = 0; id < static_cast<std::size_t>(ScreenId::count); ++id)
+        EXPECT_TRUE(seen.contains(static_cast<ScreenId>(id))) << "screen " << id;
     EXPECT_GT(played, 50U);
 }
 

@@ -36,7 +36,8 @@ struct NavigationFloodCell {
 };
 
 struct NavigationFlood {
-    double cell = 0;  ///< the side of a cell [m]
+    double cell = 0;    ///< the side of a cell [m]
+    double radius = 0;  ///< that the mesh for this character has [m]
     std::vector<NavigationFloodCell> cells;
     std::size_t moves = 0;  ///< that were simulated
     bool whole = true;      ///< false if it ended at `most_cells`
@@ -61,7 +62,7 @@ struct NavigationAgreement {
     double unreached = 0;          ///< area taken out since no feet got there [m^2]
     double no_return = 0;          ///< area taken out since there is no way back to the first seed over the mesh [m^2]
     double flood = 0;              ///< area of the flood [m^2]
-    double flood_covered = 0;      ///< that of its cells that the kept mesh covers, to within 3/4 of a cell [m^2]
+    double flood_covered = 0;      ///< that of its cells that the kept mesh comes into, or nearly [m^2]
     std::size_t rehearsed = 0;     ///< random walks that were rehearsed
     std::size_t failed_links = 0;  ///< dropped, since they failed in a rehearsal
     std::size_t failed_polygons = 0;  ///< taken out, since feet got stuck before them or on them
