@@ -8,10 +8,10 @@
 namespace surefoot::game {
 namespace {
 
-constexpr double take_reach = 0.95;     // from the middle of the hero, aside [m]
-constexpr double take_height = 1.3;     // and up and down [m]
+constexpr double take_reach = 0.95;       // from the middle of the hero, aside [m]
+constexpr double take_height = 1.3;       // and up and down [m]
 constexpr double checkpoint_reach = 2.8;  // nobody has to look for a flag to stand on [m]
-constexpr double harm_reach = 0.04;     // what is so near to the body touches it [m]: more than its skin
+constexpr double harm_reach = 0.04;       // what is so near to the body touches it [m]: more than its skin
 
 bool is_near(const dvec3& a, const dvec3& b, double aside, double height) {
     const double x = a.x - b.x;

@@ -16,31 +16,11 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr std::uint64_t atlas_version = 7;  // of what is kept, and of what it is made with
+constexpr std::uint64_t atlas_version = 9;  // of what is kept, and of what it is made with
 constexpr Section leaps_section{.owner = "playtest", .name = "leaps"};
 constexpr std::size_t most_doors = 50;  // of the areas that a mesh can have
+constexpr double beside_pad = 0.2;      // beyond its box nobody walks [m]
 constexpr double around_door = 0.25;    // beyond its box the ground is barred, too [m]
-
-// A mesh that can be kept: now and then Recast makes a polygon that is not convex, and reading refuses the whole mesh.
-// Other cells give other polygons.
-Expected<NavigationMesh> build_mesh(const World& ground, const CharacterSettings& settings,
-                                    const std::vector<NavigationArea>& areas,
-                                    const std::vector<std::uint32_t>& surface_areas,
-                                    const std::vector<NavigationRegion>& regions, int threads) {
-    const double usual = navigation_agent(settings).radius / 4;
-    auto mesh = NavigationMesh::build(
-        ground, settings, {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = threads});
-    for (const double share : {0.95, 1.07, 0.9, 1.13}) {
-        if (!mesh || NavigationMesh::read(mesh->to_bytes())) break;
-        mesh = NavigationMesh::build(ground, settings,
-                                     {.cell_size = usual * share,
-                                      .areas = areas,
-                                      .surface_areas = surface_areas,
-                                      .regions = regions,
-                                      .threads = threads});
-    }
-    return mesh;
-}
 
 }  // namespace
 
@@ -65,16 +45,23 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
     std::vector<NavigationRegion> regions = navigation_regions(level_->markers);
     for (std::size_t i = 0; i < level_->bodies.size() && areas.size() < most_doors; ++i) {
         const game::BodyPlan& body = level_->bodies[i];
+        const Bounds around = body.mesh.bounds();
+        // Nobody who walks steps on what throws.
+        if (body.kind == game::BodyKind::bounce)
+            regions.push_back({.name = body.name,
+                               .pose = {body.origin + (around.min + around.max) * 0.5, {1, 0, 0, 0}},
+                               .half_extents = (around.max - around.min) * 0.5 + dvec3{beside_pad, 1, beside_pad},
+                               .kind = NavigationRegion::Kind::forbid});
         if (body.kind != game::BodyKind::door) continue;
         if (const auto added = ground_.add(body.mesh, {.pose = {body.origin, {1, 0, 0, 0}}}); !added)
             return tl::unexpected(added.error());
-        const Bounds box = body.mesh.bounds();
         door_areas_[i] = std::uint32_t(areas.size());
-        regions.push_back({.name = body.name,
-                           .pose = {body.origin + (box.min + box.max) * 0.5, {1, 0, 0, 0}},
-                           .half_extents = (box.max - box.min) * 0.5 + dvec3{around_door, around_door, around_door},
-                           .kind = NavigationRegion::Kind::area,
-                           .area = door_areas_[i]});
+        regions.push_back(
+            {.name = body.name,
+             .pose = {body.origin + (around.min + around.max) * 0.5, {1, 0, 0, 0}},
+             .half_extents = (around.max - around.min) * 0.5 + dvec3{around_door, around_door, around_door},
+             .kind = NavigationRegion::Kind::area,
+             .area = door_areas_[i]});
         areas.push_back({.name = body.name, .closed = true});
     }
     std::vector<std::uint32_t> surface_areas;
@@ -97,7 +84,9 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         }
     }
     if (!from_cache_) {
-        auto mesh = build_mesh(open, settings_, areas, surface_areas, regions, options.threads);
+        auto mesh = NavigationMesh::build(
+            open, settings_,
+            {.areas = areas, .surface_areas = surface_areas, .regions = regions, .threads = options.threads});
         if (!mesh) return tl::unexpected(mesh.error());
         // One jump each: where it takes two, leaps do. Proving both as links would take minutes.
         CharacterSettings one_jump = settings_;
@@ -105,9 +94,9 @@ Expected<void> Atlas::build(const AtlasOptions& options) {
         const auto links =
             find_links(ground_, one_jump, *mesh,
                        {.run_speed = game::run_speed,
-                        .spacing = 2.5,
+                        .spacing = 3.5,
                         .shortcut = 1e6,  // what is joined on foot needs no link: a bot does not mind the way round
-                        .margins = {.begin = 0},
+                        .margins = {.aside = 0, .begin = 0},
                         .regions = regions,
                         .surface_areas = surface_areas,
                         .threads = options.threads,

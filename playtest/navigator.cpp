@@ -124,6 +124,7 @@ void Navigator::notice(const game::Game& game) {
     for (const game::GameEvent& event : game.events()) {
         switch (event.what) {
             case game::Happening::respawned:
+            case game::Happening::lost:
                 if (phase_ == Phase::hops || phase_ == Phase::waits || phase_ == Phase::manoeuvres) fail(game);
                 phase_ = Phase::thinks;
                 pause_ = reaction + dice_.whole(0, 12);
@@ -144,6 +145,11 @@ void Navigator::notice(const game::Game& game) {
                     }
                 }
                 if (event.what != game::Happening::took_coin) since_better_ = 0;
+                break;
+            case game::Happening::bounced:
+                if (phase_ != Phase::walks) break;
+                phase_ = Phase::thinks;  // while it touches ground, which is now
+                pause_ = think_in_ = 0;
                 break;
             case game::Happening::checkpoint:
                 best_left_ = 1e300;

@@ -148,6 +148,10 @@ Intent Navigator::wait(const game::Game& game) {
     Intent intent = passage.from.body == on_ground ? Intent{} : stay_on_body(game);
     if (passage.from.body == on_ground) {
         const dvec3 way = flat(passage.from.place - game.feet());
+        if (length(way) > 2.5 || std::abs(passage.from.place.y - game.feet().y) > 1.2) {  // knocked away from it
+            phase_ = Phase::thinks;
+            return {};
+        }
         if (length(way) > 0.6) intent.move = unit(way) * 0.5;
     }
     const dvec3 look =
@@ -216,10 +220,17 @@ void Navigator::try_to_hop(const game::Game& game) {
     const bool dashes = passage.how == Passage::How::way;
     const bool impatient = waited_ > longest_wait / 3;
     const bool stands = passage.from.body != on_ground;
+    const auto moves = [&](std::uint32_t body) {
+        if (body == on_ground) return false;
+        const game::Route& route = atlas_->level().bodies[body].route;
+        return !route.stops.empty() || route.deg_per_s != 0;
+    };
+    const bool still = !moves(passage.from.body) && !moves(passage.to.body);
     // Somebody who stands on a platform walks to its edge while hopping: what counts is how near the two come.
     const double room = stands ? 2.2 : 0.5;
-    if (!dashes && (!is_in_reach(std::max(0.0, gap - room), rise) || (!impatient && gap > passage.gap + room + 1.2) ||
-                    (!impatient && std::abs(rise - passage.rise) > 1.6)))
+    if (!dashes && !still &&
+        (!is_in_reach(std::max(0.0, gap - room), rise) || (!impatient && gap > passage.gap + room + 1.2) ||
+         (!impatient && std::abs(rise - passage.rise) > 1.6)))
         return;
     const std::vector<HopStyle> styles = styles_for(gap, rise, dashes);
     const int count = int(styles.size());
@@ -236,7 +247,6 @@ void Navigator::try_to_hop(const game::Game& game) {
     }
     style_turn_ += hops_kept;
     // Nothing changes by itself where nothing moves: from another place, then.
-    const bool still = passage.from.body == on_ground && passage.to.body == on_ground;
     if (still && style_turn_ > 2 * count + hops_kept) fail(game);
     foresight_->look(game);
 }
@@ -285,6 +295,15 @@ Intent Navigator::hop(const game::Game& game) {
         return {};
     }
     const bool elsewhere = hop_.is_under_way() && !there && hero.body.footing == Footing::ground;
+    const std::size_t on = foresight_->body_of(hero.body.ground_body);
+    if (elsewhere && phase_ticks_ > 10 && on < atlas_->level().bodies.size() &&
+        atlas_->level().bodies[on].kind == game::BodyKind::bounce) {
+        fail(game);  // thrown up again: where to is decided now, not when it is in the air
+        pause_ = 0;
+        think_in_ = 0;
+        think(game);
+        return {};
+    }
     lost_for_ = elsewhere ? lost_for_ + 1 : 0;
     if (phase_ticks_ > longest_hop || (lost_for_ > 15 && !throws)) {
         lost_for_ = 0;

@@ -337,13 +337,20 @@ void Passages::find_ways() {
         if (!to) continue;
         const double seconds = 2 + length(way.to - way.from) / 2.5;
         if (way.how == game::Manoeuvre::bounce) {
+            const auto is_pad_near = [&](std::size_t body, const dvec3& place, double far) {
+                return level.bodies[body].kind == game::BodyKind::bounce && !spots_[body].empty() &&
+                       flat_length(level.bodies[body].origin - place) < far &&
+                       std::abs(level.bodies[body].origin.y - place.y) < far;
+            };
+            // From pad to pad it does not come to stand in between.
+            Stand end = *to;
             for (std::size_t i = 0; i < level.bodies.size(); ++i)
-                if (level.bodies[i].kind == game::BodyKind::bounce && !spots_[i].empty() &&
-                    flat_length(level.bodies[i].origin - way.from) < 4 &&
-                    std::abs(level.bodies[i].origin.y - way.from.y) < 4)
+                if (is_pad_near(i, way.to, 1.5)) end = {.body = std::uint32_t(i), .place = level.bodies[i].origin};
+            for (std::size_t i = 0; i < level.bodies.size(); ++i)
+                if (is_pad_near(i, way.from, 4))
                     all_.push_back({Passage::How::fly,
                                     {.body = std::uint32_t(i), .place = level.bodies[i].origin},
-                                    *to,
+                                    end,
                                     way.how,
                                     0,
                                     0,

@@ -13,7 +13,7 @@ using test::navigator;
 TEST(Navigator, finishes_a_level_in_code_with_gaps_a_lift_a_key_and_a_door) {
     const auto level = test::gaps_lift_key_and_door();
     const auto atlas = atlas_of(level);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const auto bot = navigator(atlas, seed);
         const auto run = play(level, *bot, {.most_seconds = 240});
         ASSERT_TRUE(run);

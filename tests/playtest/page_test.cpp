@@ -1,7 +1,6 @@
 // The code of docs/playtesting.md, as it stands there.
-#include <gtest/gtest.h>
-
 #include <cstdio>
+#include <gtest/gtest.h>
 
 #include "game/level.hpp"
 #include "playtest/atlas.hpp"
