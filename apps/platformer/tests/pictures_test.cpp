@@ -230,6 +230,18 @@ TEST_P(Pictures, of_every_screen_show_something_of_their_own) {
     add("lose", screens);
     screens.show_replay_end();
     add("replay_end", screens);
+    screens.begin_level("Rope Bridge");
+    screens.show_getting_ready();
+    add("getting_ready", screens);
+    screens.begin_level("Rope Bridge");
+    EXPECT_TRUE(screens.ask({.id = "asked",
+                             .title = "Before you play",
+                             .words = {"We test the game and not you."},
+                             .fields = {{.label = "Your letter", .text = "B"},
+                                        {.kind = FormField::Kind::choice,
+                                         .label = "You play games",
+                                         .choices = {"never", "sometimes", "often"}}}}));
+    add("form", screens);
     ASSERT_EQ(all.size(), static_cast<std::size_t>(ScreenId::count));
     std::vector<Picture> pictures;
     for (const auto& [name, one] : all) {
