@@ -23,17 +23,17 @@ struct StartForm {
 
 /// The observer pressed the note key.
 struct SessionNote {
-    std::string run;      ///< the name of its file, without the ending; empty: between runs
-    double seconds = 0;   ///< of the run
-    std::string text;     ///< empty: a marker without words
+    std::string run;     ///< the name of its file, without the ending; empty: between runs
+    double seconds = 0;  ///< of the run
+    std::string text;    ///< empty: a marker without words
 };
 
 struct Questionnaire {
     int fun = 0;         ///< 1 to 5; 0: not answered
     int difficulty = 0;  ///< 1 too easy, 3 right, 5 too hard
     int control = 0;     ///< 1 "it does not do what I want" to 5 "as if by itself"
-    int way = 0;      ///< knew where to go: 1 never to 5 always
-    int again = 0;    ///< would go on: 1 "no" to 5 "at once"
+    int way = 0;         ///< knew where to go: 1 never to 5 always
+    int again = 0;       ///< would go on: 1 "no" to 5 "at once"
     std::string remark{};
 };
 

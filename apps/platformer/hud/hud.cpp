@@ -116,7 +116,8 @@ struct Painter {
         const double width = canvas.width_of("Watching a recorded run", {.size = 14}) + 44;
         canvas.box({{x - width / 2, margin - 2}, {x + width / 2, margin + 24}}, 13, with_opacity(palette.ink, 0.75));
         canvas.sign(Sign::play, {x - width / 2 + 16, margin + 11}, 13, palette.accent);
-        canvas.text("Watching a recorded run", {x - width / 2 + 30, margin + 16}, {.size = 14, .colour = palette.paper});
+        canvas.text("Watching a recorded run", {x - width / 2 + 30, margin + 16},
+                    {.size = 14, .colour = palette.paper});
     }
 
     void prompt() const;
