@@ -29,6 +29,10 @@ set_tests_properties(campaign.fuzz PROPERTIES TIMEOUT 86400)
 add_test(campaign.clang_tidy "${root}/scripts/tidy.sh")
 set_tests_properties(campaign.clang_tidy PROPERTIES TIMEOUT 86400)
 
+add_test(campaign.platformer_agreement "${root}/build/release/tests/playtest/platformer_agreement_test")
+set_tests_properties(campaign.platformer_agreement PROPERTIES TIMEOUT 3600
+  ENVIRONMENT "SUREFOOT_IMPORTER=${root}/build/release/import/surefoot-importer")
+
 # Hours of play in every level of the platformer: nobody stuck, out of it, or nowhere, and whoever knows the way finishes.
 set(hours "$ENV{SUREFOOT_PLAYTEST_HOURS}")
 if(NOT hours)
