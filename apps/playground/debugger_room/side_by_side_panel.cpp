@@ -151,9 +151,9 @@ void SideBySidePanel::stairs_ui() {
         cell(fmt::format("{:.3f} m", contest_.position(i).x));
     });
     ui::note(
-        "Eight stairs of 20 cm begin at 0, and step_up is 40 cm: whoever has a foot walks up. The cone has none; its "
-        "side "
-        "meets the edge as a slope of 77 degrees, which is a wall.");
+        "Eight stairs of 20 cm begin at 0, and step_up is 40 cm: everybody walks up. The side of the cone meets the "
+        "edge "
+        "as a slope of 77 degrees, which is a wall; it steps up all the same.");
 }
 
 void SideBySidePanel::ledge_ui() {
