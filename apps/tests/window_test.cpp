@@ -142,8 +142,8 @@ TEST(Window, a_click_on_the_card_enters_walk_and_its_setting_is_kept) {
     Display* const display = XOpenDisplay(screen.name.c_str());
     ASSERT_NE(display, nullptr);
     EXPECT_NE(wait_for_window(display), 0U);
-    // Without a window manager the window lies at the upper left of the screen, and the card of Walk in its lower row of
-    // two, at the left.
+    // Without a window manager the window lies at the upper left of the screen, and the card of Walk in its lower row
+    // of two, at the left.
     XTestFakeMotionEvent(display, -1, 224, 500, 0);
     XFlush(display);
     std::this_thread::sleep_for(500ms);
