@@ -73,7 +73,9 @@ double half_width(const CharacterSettings& settings) {
 }
 
 double reach(const CharacterSettings& settings, const dvec3& direction) {
-    const auto [x, y, z] = std::array{direction.x, direction.y, direction.z};
+    const double x = direction.x;  // clang 14 captures no structured bindings
+    const double y = direction.y;
+    const double z = direction.z;
     const double level = std::hypot(x, z);
     return of_shape(
         settings, [](const Sphere& ball) { return ball.radius; },
