@@ -1,7 +1,6 @@
 #include "course/shape.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace surefoot::course {
@@ -11,6 +10,8 @@ template <typename... Cases>
 struct Overloaded : Cases... {
     using Cases::operator()...;
 };
+template <typename... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;  // which clang 14 does not find by itself
 
 template <typename... Cases>
 double of_shape(const CharacterSettings& settings, Cases... cases) {
