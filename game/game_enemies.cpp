@@ -8,6 +8,7 @@
 
 #include "game/game.hpp"
 #include "game/minds.hpp"
+#include "game/vectors.hpp"
 
 namespace surefoot::game {
 namespace {
@@ -22,13 +23,6 @@ constexpr double bullet_life = 4;       // [s]
 constexpr double bullet_radius = 0.12;  // [m]
 constexpr double sleeps_from = 60;      // who is calm so far from the hero stands still: nobody sees it [m]
 constexpr double stomp_bounce = 8;      // [m/s]
-
-double length(const dvec3& way) {
-    return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-}
-dvec3 flat(const dvec3& way) {
-    return {way.x, 0, way.z};
-}
 
 double speed_of(EnemyKind kind, Enemy::Mood mood) {
     const bool hunts = mood == Enemy::Mood::hunts;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/vectors.hpp"
+
 namespace surefoot::game {
 namespace {
 
@@ -11,10 +13,6 @@ constexpr double slide_until = 2;    // and slower than this it creeps [m/s]
 constexpr double creep = 0.4;        // share of the running speed, crouched
 constexpr double leap_height = 1.9;  // out of the water [m]
 constexpr double leap_time = 0.3;    // [s]
-
-double level_length(const dvec3& way) {
-    return std::sqrt(way.x * way.x + way.z * way.z);
-}
 
 }  // namespace
 
@@ -69,8 +67,8 @@ CharacterInput told(Hero& hero, const HeroInput& input, const HeroPlace& place, 
     CharacterInput told;
     dvec3 wish{double(input.move_x), 0, double(input.move_z)};
     if (!(std::abs(wish.x) <= 1) || !(std::abs(wish.z) <= 1)) wish = {0, 0, 0};
-    if (const double length = level_length(wish); length > 1) wish = wish / length;
-    if (level_length(wish) > 0.1) hero.facing = wish / level_length(wish);
+    if (const double length = flat_length(wish); length > 1) wish = wish / length;
+    if (flat_length(wish) > 0.1) hero.facing = wish / flat_length(wish);
 
     const bool jump = holds(input, Button::jump);
     const bool jump_pressed = jump && (hero.held & static_cast<std::uint8_t>(Button::jump)) == 0;
@@ -87,7 +85,7 @@ CharacterInput told(Hero& hero, const HeroInput& input, const HeroPlace& place, 
         told.impulse.y += std::sqrt(2 * settings.gravity * leap_height) - hero.body.velocity.y;
     }
 
-    const double speed = level_length(hero.body.velocity);
+    const double speed = flat_length(hero.body.velocity);
     const bool on_ground = hero.body.footing == Footing::ground;
     const bool crouched = hero.body.form == CharacterForm::crouched;
     hero.slides = !hero.in_water && on_ground && told.crouch && speed > (hero.slides ? slide_until : slide_from);

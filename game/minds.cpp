@@ -1,18 +1,20 @@
 #include "game/minds.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <span>
 #include <string>
 
+#include <surefoot/cook.hpp>
 #include <surefoot/navigation_links.hpp>
 
 #include "game/hero.hpp"
-#include "game/whole_file.hpp"
 
 namespace surefoot::game {
 namespace {
 
-constexpr std::uint64_t cache_version = 1;  // another one whenever the same level would give another mesh
+constexpr std::uint64_t cache_version = 2;  // another one whenever the same level would give another mesh
 constexpr double jumper_speed = 4;          // [m/s]
 
 Expected<NavigationMesh> walking_ground(const Level& level, const World& world, const CharacterSettings& settings) {
@@ -35,20 +37,16 @@ std::vector<NavigationRegion> regions_about(const Level& level, const EnemyPlan&
 
 Expected<NavigationMesh> jumping_ground(const Level& level, const World& world, const CharacterSettings& settings,
                                         const EnemyPlan& enemy, const std::atomic<bool>* stop) {
-    std::string path;
-    if (level.hash != 0) {
-        struct Key {
-            std::uint64_t level;
-            dvec3 feet;
-            double leash;
-        };
-        const Key key{level.hash, enemy.feet, enemy.leash};
-        path = cache_path("enemy", hash_bytes(std::as_bytes(std::span(&key, 1)), cache_version));
-    }
-    if (!path.empty()) {
-        if (const auto kept = read_whole(path))
-            if (auto mesh = NavigationMesh::read(std::as_bytes(std::span(*kept)))) return mesh;
-    }
+    struct Key {
+        std::uint64_t level;
+        dvec3 feet;
+        double leash;
+    };
+    const Key made_from{level.hash, enemy.feet, enemy.leash};
+    const std::uint64_t key = hash_bytes(std::as_bytes(std::span(&made_from, 1)), cache_version);
+    const std::string path = level.hash != 0 ? cache_path(key) : std::string();
+    if (!path.empty())
+        if (auto kept = NavigationMesh::open(path)) return kept;
     const std::vector<NavigationRegion> regions = regions_about(level, enemy);
     auto mesh = NavigationMesh::build(world, settings, {.regions = regions, .layers = still_layer});
     if (!mesh) return mesh;
@@ -61,8 +59,11 @@ Expected<NavigationMesh> jumping_ground(const Level& level, const World& world, 
     if (const auto set = mesh->set_links(links); !set) return tl::unexpected(set.error());
     if (!path.empty()) {
         // A cache that cannot be written costs time the next time, and nothing else.
+        std::error_code error;
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
         const std::vector<std::byte> bytes = mesh->to_bytes();
-        (void)write_whole(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const std::array sections{navigation_section(bytes, key)};
+        (void)level.ground.write(path, sections);
     }
     return mesh;
 }
@@ -124,10 +125,6 @@ CharacterInput EnemyMinds::go(const Enemy& enemy, const dvec3& feet, double spee
 
 void EnemyMinds::forget(const Enemy& enemy) {
     minds_[enemy.mind].follower.stop();
-}
-
-bool EnemyMinds::has_arrived(const Enemy& enemy) const {
-    return minds_[enemy.mind].follower.status() == NavigationFollowStatus::arrived;
 }
 
 bool EnemyMinds::gave_up(const Enemy& enemy) const {

@@ -39,7 +39,6 @@ public:
 
     /// It was moved by force: it plans anew.
     void forget(const Enemy& enemy);
-    [[nodiscard]] bool has_arrived(const Enemy& enemy) const;
     [[nodiscard]] bool gave_up(const Enemy& enemy) const;
 
     [[nodiscard]] const CharacterSettings& settings() const { return settings_; }

@@ -56,7 +56,7 @@ void Recorder::tick(const HeroInput& input, const Game& game) {
     recording_.seconds = game.seconds();
 }
 
-void Recorder::decide(RunDecision::Kind kind, const Game&) {
+void Recorder::decide(RunDecision::Kind kind) {
     recording_.decisions.push_back({kind, recording_.inputs.size()});
 }
 

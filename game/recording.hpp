@@ -35,7 +35,7 @@ class Recorder {
 public:
     Recorder(const Level& level, std::string player);
     void tick(const HeroInput& input, const Game& game);
-    void decide(RunDecision::Kind kind, const Game& game);
+    void decide(RunDecision::Kind kind);
     [[nodiscard]] const Recording& recording() const { return recording_; }
 
 private:

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "game/vectors.hpp"
+
 namespace surefoot::game {
 namespace {
-
-double length(const dvec3& way) {
-    return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-}
 
 double leg_time(const Route& route, std::size_t from, std::size_t to) {
     return length(route.stops[to] - route.stops[from]) / route.speed;

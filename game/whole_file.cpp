@@ -1,12 +1,9 @@
 #include "game/whole_file.hpp"
 
-#include <cstdlib>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <random>
-#include <utility>
 
 namespace surefoot::game {
 
@@ -36,15 +33,6 @@ Expected<void> write_whole(const std::string& path, std::string_view bytes) {
         const std::string why = error.message();
         fs::remove(beside, error);
         return fail(why);
-    }
-    return {};
-}
-
-std::string cache_path(std::string_view what, std::uint64_t made_from) {
-    for (const auto& [variable, below] : {std::pair{"XDG_CACHE_HOME", ""}, {"LOCALAPPDATA", ""}, {"HOME", ".cache"}}) {
-        const char* const value = std::getenv(variable);
-        if (value == nullptr || *value == '\0') continue;
-        return (fs::path(value) / below / "surefoot" / fmt::format("{}-{:016x}", what, made_from)).string();
     }
     return {};
 }

@@ -11,7 +11,7 @@ Expected<Run> play(const std::shared_ptr<const game::Level>& level, Bot& bot, co
     while (game.outcome() != game::Outcome::won && bot.gave_up().empty() && game.seconds() < options.most_seconds) {
         if (game.outcome() == game::Outcome::lost) {
             if (game.cause() == game::Cause::time) break;
-            recorder.decide(game::RunDecision::Kind::retry, game);
+            recorder.decide(game::RunDecision::Kind::retry);
             game.retry();
         }
         const game::HeroInput input = bot.decide(game);

@@ -1,28 +1,14 @@
-/// A few words about vectors that the bots use everywhere: level is x and z, up is +Y, as in the levels.
+/// The rules' few words about vectors, for the bots.
 #pragma once
 
-#include <cmath>
-
-#include <surefoot/math.hpp>
+#include "game/vectors.hpp"
 
 namespace surefoot::playtest {
 
-[[nodiscard]] inline dvec3 flat(const dvec3& v) {
-    return {v.x, 0, v.z};
-}
-[[nodiscard]] inline double length(const dvec3& v) {
-    return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-[[nodiscard]] inline double flat_length(const dvec3& v) {
-    return std::sqrt(v.x * v.x + v.z * v.z);
-}
-/// Unit; zero stays zero.
-[[nodiscard]] inline dvec3 unit(const dvec3& v) {
-    const double size = length(v);
-    return size > 1e-9 ? v / size : dvec3{0, 0, 0};
-}
-[[nodiscard]] inline double dot(const dvec3& a, const dvec3& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using game::dot;
+using game::flat;
+using game::flat_length;
+using game::length;
+using game::unit;
 
 }  // namespace surefoot::playtest

@@ -27,7 +27,7 @@ Recording run() {
         recorder.tick(input, *game);
     };
     for (int i = 0; i < 100; ++i) tick({.move_x = 1, .move_z = 0.2F, .buttons = std::uint8_t(i % 30 < 10 ? 1 : 0)});
-    recorder.decide(RunDecision::Kind::retry, *game);
+    recorder.decide(RunDecision::Kind::retry);
     game->retry();
     for (int i = 0; i < 600 && game->outcome() == Outcome::playing; ++i) tick({.move_x = 0.7F, .move_z = 0.7F});
     EXPECT_EQ(game->outcome(), Outcome::won);

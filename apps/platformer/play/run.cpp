@@ -145,13 +145,13 @@ void Run::draw(view::Renderer& renderer, double blend, bool shows_volume) const 
 }
 
 void Run::retry() {
-    recorder_.decide(game::RunDecision::Kind::retry, *game_);
+    recorder_.decide(game::RunDecision::Kind::retry);
     game_->retry();
     stand();
 }
 
 void Run::give_up() {
-    recorder_.decide(game::RunDecision::Kind::give_up, *game_);
+    recorder_.decide(game::RunDecision::Kind::give_up);
     game_->give_up();
 }
 

@@ -3,31 +3,18 @@
 
 #include "platformer/screens/form.hpp"
 #include "platformer/screens/screens.hpp"
+#include "some_screens.hpp"
 
 namespace surefoot::platformer {
 namespace {
 
 using view::Key;
 
-void tap(Screens& screens, Key key) {
-    screens.event(view::KeyPress{.key = key});
-    screens.event(view::KeyPress{.key = key, .down = false});
-}
-
 /// Goes down to the entry with this beginning and presses it.
 void choose(Screens& screens, const std::string& label) {
     for (int i = 0; i < 20 && !screens.menu().entries[screens.focus()].label.starts_with(label); ++i)
         tap(screens, Key::down);
     tap(screens, Key::enter);
-}
-
-Form some_form() {
-    return {.id = "some",
-            .title = "A form",
-            .fields = {
-                {.key = "name", .label = "Name", .required = true},
-                {.kind = FormField::Kind::choice, .key = "often", .label = "How often?", .choices = {"never", "often"}},
-                {.kind = FormField::Kind::agree, .key = "yes", .label = "I agree", .required = true}}};
 }
 
 Screens with_levels() {

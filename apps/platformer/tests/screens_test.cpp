@@ -7,6 +7,7 @@
 
 #include "platformer/screens/arrange.hpp"
 #include "platformer/screens/settings_rows.hpp"
+#include "some_screens.hpp"
 
 namespace surefoot::platformer {
 namespace {
@@ -38,24 +39,10 @@ std::vector<LevelCard> some_levels() {
     return all;
 }
 
-Form some_form() {
-    return {.id = "some",
-            .title = "A form",
-            .fields = {
-                {.key = "name", .label = "Name", .required = true},
-                {.kind = FormField::Kind::choice, .key = "often", .label = "How often?", .choices = {"never", "often"}},
-                {.kind = FormField::Kind::agree, .key = "yes", .label = "I agree", .required = true}}};
-}
-
 Screens with_levels() {
     Screens screens;
     screens.set_levels(some_levels());
     return screens;
-}
-
-void tap(Screens& screens, Key key) {
-    screens.event(view::KeyPress{.key = key});
-    screens.event(view::KeyPress{.key = key, .down = false});
 }
 
 void tap(Screens& screens, PadButton button) {
