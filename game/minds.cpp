@@ -14,7 +14,7 @@
 namespace surefoot::game {
 namespace {
 
-constexpr std::uint64_t cache_version = 2;  // another one whenever the same level would give another mesh
+constexpr std::uint64_t cache_version = 3;  // another one whenever the same level would give another mesh
 constexpr double jumper_speed = 4;          // [m/s]
 
 Expected<NavigationMesh> walking_ground(const Level& level, const World& world, const CharacterSettings& settings) {
@@ -62,7 +62,7 @@ Expected<NavigationMesh> jumping_ground(const Level& level, const World& world, 
         std::error_code error;
         std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
         const std::vector<std::byte> bytes = mesh->to_bytes();
-        const std::array sections{navigation_section(bytes, key)};
+        const std::array sections{navigation_section(bytes, level.ground.made_from())};
         (void)level.ground.write(path, sections);
     }
     return mesh;
