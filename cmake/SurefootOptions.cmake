@@ -64,3 +64,23 @@ function(surefoot_quick_to_build name)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
+
+# With SUREFOOT_UNITY the files of each folder below the target's own are compiled as one, which takes half the time from
+# nothing; a change of one takes longer. Names in their anonymous namespaces then have to differ within a folder, and seem
+# to shadow those of the next file, so that this warning is left to builds without it.
+option(SUREFOOT_UNITY "Compile the files of a folder as one: quicker from nothing, slower after a change" OFF)
+function(surefoot_compiled_together name)
+  if(SUREFOOT_UNITY)
+    get_target_property(files ${name} SOURCES)
+    foreach(file IN LISTS files)
+      get_filename_component(folder "${file}" DIRECTORY)
+      if(folder)
+        set_source_files_properties("${file}" PROPERTIES UNITY_GROUP "${folder}")
+      endif()
+    endforeach()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    if(NOT MSVC)
+      target_compile_options(${name} PRIVATE -Wno-shadow)
+    endif()
+  endif()
+endfunction()

@@ -6,6 +6,9 @@ packages_for() {
     awk -v want=" $* " '!/^#/ && index(want, " " $1 " ") { for (i = 2; i <= NF; ++i) print $i }' scripts/packages.txt
 }
 
+# ccache then knows a compile again whatever the folder of the build and of the clone.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 say() { printf '\n== %s\n' "$*"; }
 fail() { printf '\n%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
 

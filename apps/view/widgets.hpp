@@ -38,6 +38,7 @@ bool radio(const char* label, bool chosen);
 
 /// A title within a panel, a quiet line of text, and a line with a colour before it.
 void heading(std::string_view text);
+void wrapped(std::string_view text);  ///< as many lines as the panel's width makes of it
 void note(std::string_view text);
 void key_colour(Colour colour, std::string_view text);
 

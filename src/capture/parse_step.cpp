@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_records = std::size_t{1} << 20U;
 
-constexpr std::size_t most_kept_neighbours = std::size_t{1} << 16U;
+constexpr std::size_t most_neighbours_of_a_step = std::size_t{1} << 16U;
 
 // What came with the newest form.
 struct Newest {
@@ -30,7 +30,7 @@ void read_step(JsonReader& in, StepCapture& capture, Newest& newest) {
         if (i == 1) fields.read(capture.input);
         if (i == 2) capture.dt = in.number();
         if (i == 3) fields.read(capture.before);
-        if (i == 4) fields.read_neighbours(capture.neighbours, most_kept_neighbours);
+        if (i == 4) fields.read_neighbours(capture.neighbours, most_neighbours_of_a_step);
     });
     newest.neighbours = seen >> 4U != 0;
 }
@@ -50,7 +50,7 @@ void read_step_bodies(JsonReader& in, std::vector<CapturedBody>& bodies) {
     if (!in.empty_array()) read_bodies(in, bodies);
 }
 
-StepCapture read_whole(JsonReader& in) {
+StepCapture read_whole_step(JsonReader& in) {
     constexpr std::array<std::string_view, 10> names{
         "surefoot_capture", "library", "abi", "note", "step", "after", "events", "records", "bodies", "triangles"};
     StepCapture capture;
@@ -84,7 +84,7 @@ StepCapture read_whole(JsonReader& in) {
 Expected<StepCapture> parse_step_capture(std::string_view text, std::string_view file) {
     const IeeeGuard guard;
     JsonReader in(text);
-    StepCapture capture = read_whole(in);
+    StepCapture capture = read_whole_step(in);
     if (in.good()) return capture;
     return tl::unexpected(error_of(in, file, "step"));
 }

@@ -9,14 +9,14 @@ namespace surefoot::internal {
 namespace {
 
 // Each pass goes on to the next thing that is met.
-constexpr int most_passes = 12;
+constexpr int most_carries = 12;
 constexpr std::size_t most_pushers = 12;
 
 // Rounds of satisfying the pushers one after the other; opposite ones never settle, and that is being crushed.
-constexpr int most_rounds = 24;
+constexpr int most_parting_rounds = 24;
 
 // How far ahead of what pushes it a body is taken, as a share of the skin: enough not to be met again by rounding.
-constexpr double ahead = 1e-3;
+constexpr double kept_ahead = 1e-3;
 
 class Carry {
 public:
@@ -38,7 +38,7 @@ public:
     Carried run(const Vec& from) noexcept {
         result_.position = from;
         if (!rides_ && !anything_comes()) return result_;
-        for (int pass = 0; pass < most_passes && time_ < end_; ++pass) {
+        for (int pass = 0; pass < most_carries && time_ < end_; ++pass) {
             const Vec way = way_to_go();
             const auto hit = first(way);
             if (!hit) {
@@ -91,11 +91,11 @@ private:
     Vec way_to_go() noexcept {
         Vec way;
         if (rides_) way = to_vec(world_.carried(support_, to_dvec3(result_.position), time_, end_)) - result_.position;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < most_parting_rounds; ++round) {
             bool moved = false;
             for (std::size_t i = 0; i < count_; ++i) {
                 const double missing = missing_of(pushers_[i], way);
-                if (missing <= 0.5 * ahead * gait_.skin) continue;
+                if (missing <= 0.5 * kept_ahead * gait_.skin) continue;
                 way = way + pushers_[i].normal * missing;
                 moved = true;
             }
@@ -112,7 +112,7 @@ private:
         const Vec goes = world_.contains(pusher.body)
                              ? to_vec(world_.carried(pusher.body, to_dvec3(pusher.point), time_, end_)) - pusher.point
                              : Vec{};
-        return dot(pusher.normal, goes - way) + ahead * gait_.skin;
+        return dot(pusher.normal, goes - way) + kept_ahead * gait_.skin;
     }
 
     // False when there is no room for one more.
@@ -126,7 +126,7 @@ private:
         const Faces faces = faces_at(hit);
         for (const Vec& normal : faces.get()) {
             // Clear of the seam from here on, or it would be met again at once.
-            if (faces.replaced) result_.position = result_.position + normal * (ahead * gait_.skin);
+            if (faces.replaced) result_.position = result_.position + normal * (kept_ahead * gait_.skin);
             if (!add({normal, to_vec(hit.point), handle})) return false;
         }
         return true;

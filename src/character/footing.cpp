@@ -7,7 +7,7 @@ namespace surefoot::internal {
 namespace {
 
 // How far above ground a body that comes down is standing on it, as a share of the skin.
-constexpr double touching = 0.5;
+constexpr double stands_within = 0.5;
 
 // Speeds below this are none [m/s].
 constexpr double still = 1e-9;
@@ -33,7 +33,7 @@ void stand(Tick& tick) noexcept {
     const bool was_standing = tick.state.footing == Footing::ground;
     if (dot(tick.velocity, tick.up) > still && !was_standing) return;
     const GroundRule rule{settings.perch_distance, unit(tick.wish), settings.snap_down};
-    const double depth = was_standing ? settings.snap_down + settings.skin : touching * settings.skin;
+    const double depth = was_standing ? settings.snap_down + settings.skin : stands_within * settings.skin;
     tick.ground = ground_under(tick.surroundings, tick.body, tick.gait, rule, tick.position, depth);
     if (!tick.ground.trusted) tick.say(CharacterEvent::overflow);
     stand_if_wedged(tick.surroundings, tick.body, tick.gait, tick.position, tick.ground);
@@ -50,7 +50,7 @@ void land(Tick& tick, double upward_speed) noexcept {
     }
     const GroundRule rule{tick.settings.perch_distance, {}};
     tick.ground =
-        ground_under(tick.surroundings, tick.body, tick.gait, rule, tick.position, touching * tick.settings.skin);
+        ground_under(tick.surroundings, tick.body, tick.gait, rule, tick.position, stands_within * tick.settings.skin);
     stand_if_wedged(tick.surroundings, tick.body, tick.gait, tick.position, tick.ground);
     if (tick.ground.footing != Footing::ground) return;
     tick.standing = true;

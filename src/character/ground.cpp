@@ -44,15 +44,15 @@ bool holds_walking(Surroundings& surroundings, const Body& body, const Gait& gai
 }
 
 // Whether a touch holds a body, and if not, why.
-struct Hold {
+struct Support {
     Footing footing = Footing::ground;
     StepRule rule = StepRule::none;
     double value = 0;
     double limit = 0;
 };
 
-Hold hold_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
-             const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
+Support support_of(Surroundings& surroundings, const Body& body, const Gait& gait, const GroundRule& rule,
+                   const Vec& position, const Touch& touch, const Vec& normal, const Vec& surface) noexcept {
     const double rises = dot(surface, gait.up);
     if (surroundings.rule_of(surroundings.triangle(touch.index).surface).slippery) {
         return {Footing::steep, StepRule::slippery, 0, 0};
@@ -97,14 +97,15 @@ Ground ground_under(Surroundings& surroundings, const Body& body, const Gait& ga
             if (dot(normal, gait.up) <= along_tolerance) continue;  // a seam in a wall
             if (first < 0) first = distance;
             const Vec surface = faces.replaced ? normal : faces.surface;
-            const Hold hold = hold_of(surroundings, body, gait, rule, centre, touch, normal, surface);
-            const Footing footing = hold.footing;
+            const Support support = support_of(surroundings, body, gait, rule, centre, touch, normal, surface);
+            const Footing footing = support.footing;
             const bool better = ground.footing == Footing::air ||
                                 (footing == Footing::ground && ground.footing == Footing::steep) ||
                                 (footing == ground.footing && dot(surface, gait.up) > dot(ground.normal, gait.up));
             if (!better) continue;
-            ground = {footing,          first,     surface,    normal,     touch.point, triangle.body, triangle.id,
-                      triangle.surface, hold.rule, hold.value, hold.limit, true};
+            ground = {footing,      first,         surface,       normal,
+                      touch.point,  triangle.body, triangle.id,   triangle.surface,
+                      support.rule, support.value, support.limit, true};
         }
     }
     if (first < 0 && touches.lost_some()) ground.trusted = false;

@@ -16,7 +16,7 @@ constexpr std::size_t most_pushes = 32;
 
 // Each round parts the body from everything that it overlaps, one after the other, and asks anew.
 constexpr int most_rounds = 8;
-constexpr int most_turns = 64;
+constexpr int most_turns_apart = 64;
 
 // Where room is looked for at last: in rings around the body.
 constexpr int rings = 12;
@@ -129,7 +129,7 @@ private:
     // The shortest way that gets out of all, found by going out of each in turn; none where they are opposed.
     std::optional<Vec> way_out() const noexcept {
         Vec way;
-        for (int turn = 0; turn < most_turns; ++turn) {
+        for (int turn = 0; turn < most_turns_apart; ++turn) {
             bool moved = false;
             for (std::size_t i = 0; i < count_; ++i) {
                 const double missing = pushes_[i].depth - dot(pushes_[i].normal, way);

@@ -27,12 +27,12 @@ Vec rounded(const Vec& v, double grid) noexcept {
     return {rounded(v.x, grid), rounded(v.y, grid), rounded(v.z, grid)};
 }
 
-using Cell = std::array<double, 3>;
+using TileCell = std::array<double, 3>;
 
 struct Assignment {
-    std::vector<Cell> origin;   // of each triangle
-    std::vector<Cell> origins;  // sorted, each once
-    std::vector<double> grid;   // of each vertex
+    std::vector<TileCell> origin;   // of each triangle
+    std::vector<TileCell> origins;  // sorted, each once
+    std::vector<double> grid;       // of each vertex
 };
 
 Assignment assign(const Soup& soup, double size) {
@@ -115,7 +115,7 @@ Tiles cut_into_tiles(Soup& soup, CookReport& report) {
     weld_again(soup);
 
     Tiles tiles;
-    for (const Cell& origin : assignment.origins) tiles.origins.emplace_back(origin[0], origin[1], origin[2]);
+    for (const TileCell& origin : assignment.origins) tiles.origins.emplace_back(origin[0], origin[1], origin[2]);
     report.tiles = tiles.origins.size();
     tiles.of.resize(soup.triangle_count());
     tiles.indices.resize(soup.indices.size());

@@ -24,7 +24,7 @@ namespace {
 // Parallel to rounding: four units in the last place of a rotation matrix.
 constexpr double parallel_hair = 0x1p-50;
 
-bool are_parallel(const Vec& a, const Vec& b) noexcept {
+bool are_along_one_line(const Vec& a, const Vec& b) noexcept {
     return largest(cross(a, b)) <= parallel_hair;
 }
 
@@ -44,7 +44,7 @@ bool is_sphere(const Shape& shape) noexcept {
 bool UprightPair::add(const Placed& placed) noexcept {
     const Vec x = frame_.to_world({1, 0, 0});
     const Vec y = frame_.to_world({0, 1, 0});
-    const bool axis_agrees = are_parallel(y, placed.axis());
+    const bool axis_agrees = are_along_one_line(y, placed.axis());
     return std::visit(Overloaded{
                           [&](const Sphere& s) noexcept {
                               ball_ += s.radius;
@@ -57,7 +57,7 @@ bool UprightPair::add(const Placed& placed) noexcept {
                           },
                           [&](const Box& s) noexcept {
                               half_ = half_ + to_vec(s.half_extents);
-                              return axis_agrees && are_parallel(x, placed.frame().to_world({1, 0, 0}));
+                              return axis_agrees && are_along_one_line(x, placed.frame().to_world({1, 0, 0}));
                           },
                           [&](const Cylinder& s) noexcept {
                               half_.y += s.half_height;

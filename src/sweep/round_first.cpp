@@ -94,7 +94,7 @@ private:
 };
 
 // How far from the feature, in hairs, a ball may be at the start and touch it.
-constexpr double touching_hairs = 8;
+constexpr double ball_touching_hairs = 8;
 
 RoundFirst touching(const SweepQuery& query, const Ball& ball) noexcept {
     RoundFirst found;
@@ -104,7 +104,7 @@ RoundFirst touching(const SweepQuery& query, const Ball& ball) noexcept {
     const Vec normal = guess.standing(part);
     if (normal == Vec{}) return found;
     found.plane = judged(query, normal);
-    if (!(absolute(found.plane.gap) <= touching_hairs * query.triangle_hair())) return found;
+    if (!(absolute(found.plane.gap) <= ball_touching_hairs * query.triangle_hair())) return found;
     const Place place = guess.place(part, 0, normal);
     if (!place.is_clear || touched_corners(query, normal) != part.corners) return found;
     found.point = place.point;

@@ -19,7 +19,7 @@ namespace {
 constexpr double allowed_gap = 1e-10;
 
 // How far outside the shape a point may lie that says that they touch, in hairs: far less than the gap that is allowed.
-constexpr double touching_hairs = 64;
+constexpr double part_touching_hairs = 64;
 
 void propose(const SweepQuery& query, Planes& planes) noexcept {
     std::visit([&](const auto& shape) { propose_planes(query, shape, planes); }, query.shape);
@@ -90,7 +90,7 @@ Described describe(const SweepQuery& query, const Triangle& triangle, const Moti
     const Contact contact = contact_of(query, planes, plane, t, allowed_gap * numbers);
     const Hit hit = described(query, triangle, motion, plane, t, contact.corners, contact.is_on_part, contact.point);
     const double outside = at_most_outside_by(query.shape, contact.point - query.along * t);
-    return {hit, contact.is_on_part && outside <= touching_hairs * planes.hair()};
+    return {hit, contact.is_on_part && outside <= part_touching_hairs * planes.hair()};
 }
 
 Hit describe_face(const SweepQuery& query, const Motion& motion, const FaceFirst& face) noexcept {

@@ -116,9 +116,7 @@ void ScenePanel::bars(const course::Scene& scene, const CourseChoice& choice) {
     for (std::size_t i = 0; i < scene.bars.size(); ++i) {
         const course::Bar& bar = scene.bars[i];
         ui::heading(bar.what);
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(bar_text(bar).c_str());
-        ImGui::PopTextWrapPos();
+        ui::wrapped(bar_text(bar));
         for (const Measuring& one : measured_) {
             if (!one.is_done() || one.score().marks.size() <= i) continue;
             const course::Mark& mark = one.score().marks[i];

@@ -26,12 +26,6 @@ const char* feature_word(Feature feature) {
     return feature == Feature::face ? "the face" : feature == Feature::edge ? "an edge" : "a vertex";
 }
 
-void wrapped(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 std::string t_of(const std::optional<Hit>& hit) {
     return hit ? fmt::format("{:.12g}", hit->t) : "none";
 }
@@ -70,7 +64,7 @@ void AnswerPanel::numbers(Investigation& asked) const {
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopFont();
     } else {
-        wrapped(answer_in_a_line(asked));
+        ui::wrapped(answer_in_a_line(asked));
     }
     if (!asked.level()) return;
     const bool brute = asked.search() == Search::brute_force;
@@ -126,7 +120,7 @@ void AnswerPanel::keeping(const Investigation& asked, view::Display& display, vi
 void AnswerPanel::ui(Investigation& asked, view::Display& display, view::Toasts& toasts) {
     if (const auto& moment = asked.moment()) {
         ui::heading(std::filesystem::path(moment->file).filename().string());
-        wrapped(verdict_text(*moment));
+        ui::wrapped(verdict_text(*moment));
         const std::string saved = moment->capture.answer ? "t = " + t_of(moment->capture.answer) : "no hit";
         ui::note(fmt::format("Saved answer: {}. {} triangle{}. {}{}{}", saved, moment->capture.triangles.size(),
                              moment->capture.triangles.size() == 1 ? "" : "s", moment->remark,
@@ -139,7 +133,7 @@ void AnswerPanel::ui(Investigation& asked, view::Display& display, view::Toasts&
             why_ = tools::why_text(capture, capture.answer);
             why_is_ = asked.version();
         }
-        wrapped(why_);
+        ui::wrapped(why_);
     }
     if (ui::section("Keep it", false)) keeping(asked, display, toasts);
 }

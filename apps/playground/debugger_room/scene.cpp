@@ -22,7 +22,7 @@ using view::Renderer;
 using view::rgb;
 namespace paint = view::paint;
 
-constexpr view::Colour ground = rgb(0xB9B4A6);
+constexpr view::Colour first_ground = rgb(0xB9B4A6);
 constexpr view::Colour second_ground = rgb(0xA3ADB0);
 constexpr std::array axis_colours{rgb(0xD6584C), rgb(0x63A84E), rgb(0x4A86D8)};
 // From this share of the way on, two places count as different moments.
@@ -103,7 +103,7 @@ void Scene::draw_world(Renderer& renderer, const Investigation& asked) {
         if (asked.mesh())
             model_ = view::Model::make(*asked.mesh(), [&](const SourceTriangle& t) {
                 if (level) return view::colour_of_surface(t.surface, tools::surface_name(level->level, t.surface));
-                return t.id % 2 == 0 ? ground : second_ground;
+                return t.id % 2 == 0 ? first_ground : second_ground;
             });
     }
     if (!model_) return;

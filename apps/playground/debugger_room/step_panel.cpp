@@ -30,12 +30,6 @@ using debugger::StepStudy;
 
 constexpr view::Colour ghost = paint::vertex;  // of the step with other settings
 
-void wrapped(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// From the reference point to the middle of the body.
 dvec3 middle_of(const Volume& volume) {
     const Bounds box = debugger::bounds_of(volume, {0, 0, 0});
@@ -143,7 +137,7 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
     if (inquiry.saved_step != nullptr) {
         const debugger::SavedStep& saved = *inquiry.saved_step;
         ui::heading(std::filesystem::path(saved.file).filename().string());
-        if (!saved.capture.note.empty()) wrapped(saved.capture.note);
+        if (!saved.capture.note.empty()) ui::wrapped(saved.capture.note);
         ImGui::PushTextWrapPos(0);
         if (saved.differs.empty())
             ui::key_colour(paint::end, "Made again: the same, to the last bit.");
@@ -163,7 +157,7 @@ void StepPanel::about_ui(const Inquiry& inquiry) {
 }
 
 void StepPanel::why_ui() const {
-    for (const StepSentence& sentence : study_->why()) wrapped("- " + sentence.text);
+    for (const StepSentence& sentence : study_->why()) ui::wrapped("- " + sentence.text);
     ui::note("Events: " + tools::events_text(study_->recorded().result.events) + ".");
 }
 
@@ -202,7 +196,7 @@ void StepPanel::story_ui() {
     }
     ImGui::Spacing();
     const StepRecord& record = records()[line_];
-    wrapped(debugger::meaning_of(record));
+    ui::wrapped(debugger::meaning_of(record));
     ImGui::PushFont(view::fonts().mono);
     ImGui::TextUnformatted(debugger::numbers_of(record).c_str());
     ImGui::PopFont();
@@ -231,8 +225,8 @@ void StepPanel::settings_ui() {
     }
     if (!study_->is_edited()) return;
     ui::key_colour(ghost, "With these settings:");
-    wrapped(study_->difference());
-    for (const StepSentence& sentence : study_->why_again()) wrapped("- " + sentence.text);
+    ui::wrapped(study_->difference());
+    for (const StepSentence& sentence : study_->why_again()) ui::wrapped("- " + sentence.text);
 }
 
 void StepPanel::look_ui() {

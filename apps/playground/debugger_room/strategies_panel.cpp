@@ -97,9 +97,7 @@ void StrategiesPanel::ui(Inquiry& inquiry) {
     ImGui::Separator();
     pace_ui(inquiry);
     way_ui(inquiry.t);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(tunnelling_.text.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrapped(tunnelling_.text);
     if (tunnelling_.begins_above)
         ui::note(fmt::format("A step of up to {} m misses nothing.", short_text(*tunnelling_.begins_above)));
     if (tunnelling_.always_above)
@@ -112,9 +110,7 @@ void StrategiesPanel::finding_ui(const char* title, view::Colour colour, const d
     ui::at_right(finding.looks == 1 ? "1 question" : tools::grouped(finding.looks) + " questions");
     ImGui::Indent();
     ImGui::PushStyleColor(ImGuiCol_Text, view::to_imgui(finding.missed ? view::rgb(0xF08A80) : paint::paper));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(finding.text.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrapped(finding.text);
     ImGui::PopStyleColor();
     ImGui::Unindent();
 }

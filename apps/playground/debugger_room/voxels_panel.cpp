@@ -29,18 +29,12 @@ private:
     VoxelView look_;
 };
 
-void words(std::string_view text) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-}
-
 void VoxelsPanel::told(const char* title, const VoxelTale& tale) const {
     ui::heading(title);
     if (const debugger::VoxelStep* const step = play_.step(tale)) {
-        words(step->text);
+        ui::wrapped(step->text);
     } else {
-        words("Stands at START.");
+        ui::wrapped("Stands at START.");
     }
     if (play_.at_end()) ui::note(tale.conclusion);
 }

@@ -25,17 +25,18 @@ namespace {
 using view::dvec2;
 using view::Key;
 
-constexpr view::KeyHelp keys[] = {{"Drag", "turns around the place in the middle; when flying, looks around"},
-                                  {"Wheel", "goes towards what is under the pointer; when flying, sets the speed"},
-                                  {"Right drag", "moves sideways"},
-                                  {"W A S D, Q E", "fly; Shift hurries"},
-                                  {"G", "on foot: a character walks through the level"},
-                                  {"C", "orbit or fly"},
-                                  {"F", "shows the whole level"},
-                                  {"1  2  3", "look, measure, throw"},
-                                  {"T  K  I", "the tree; edges by kind; triangle ids"},
-                                  {"N", "the next odd spot"},
-                                  {"Control+O", "opens a level"}};
+constexpr view::KeyHelp camera_keys[] = {
+    {"Drag", "turns around the place in the middle; when flying, looks around"},
+    {"Wheel", "goes towards what is under the pointer; when flying, sets the speed"},
+    {"Right drag", "moves sideways"},
+    {"W A S D, Q E", "fly; Shift hurries"},
+    {"G", "on foot: a character walks through the level"},
+    {"C", "orbit or fly"},
+    {"F", "shows the whole level"},
+    {"1  2  3", "look, measure, throw"},
+    {"T  K  I", "the tree; edges by kind; triangle ids"},
+    {"N", "the next odd spot"},
+    {"Control+O", "opens a level"}};
 
 enum class Tool { look, measure, hurl };
 
@@ -75,7 +76,7 @@ public:
     }
     [[nodiscard]] NavigationGroundPointer ground() const override { return ground_; }
     [[nodiscard]] std::span<const view::KeyHelp> help() const override {
-        return seat_ == Seat::foot ? OnFoot::help() : keys;
+        return seat_ == Seat::foot ? OnFoot::help() : camera_keys;
     }
 
 private:
