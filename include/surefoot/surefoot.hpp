@@ -36,4 +36,5 @@
 #include <surefoot/visited_source.hpp>
 #include <surefoot/voxels.hpp>
 #include <surefoot/voxels_move.hpp>
+#include <surefoot/whole_file.hpp>
 #include <surefoot/world.hpp>
