@@ -26,6 +26,7 @@
 #include <surefoot/pose.hpp>
 #include <surefoot/private_section.hpp>
 #include <surefoot/query.hpp>
+#include <surefoot/random.hpp>
 #include <surefoot/ray.hpp>
 #include <surefoot/shapes.hpp>
 #include <surefoot/slab.hpp>
