@@ -44,6 +44,12 @@ struct Route {
 
 enum class BodyKind : std::uint8_t { platform, turntable, crumble, door, bounce, hazard };
 
+/// Of a node of this kind; none if its triangles stand still, or are drawn only.
+[[nodiscard]] std::optional<BodyKind> body_kind(std::string_view kind);
+
+/// Of a node that is drawn and not solid.
+inline constexpr std::string_view decor_kind = "decor";
+
 /// A part of the level that is not still.
 struct BodyPlan {
     BodyKind kind = BodyKind::platform;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
-#include <map>
 
 #include <surefoot/import.hpp>
 #include <surefoot/pose.hpp>
@@ -177,16 +176,13 @@ private:
 
     // What has triangles of its own and is not still.
     void read_body(const Marker& marker, Extras& extras) {
-        static const std::map<std::string_view, BodyKind> kinds{
-            {"platform", BodyKind::platform}, {"turntable", BodyKind::turntable}, {"crumble", BodyKind::crumble},
-            {"door", BodyKind::door},         {"bounce", BodyKind::bounce},       {"hazard", BodyKind::hazard}};
-        if (marker.kind == "decor") {
+        if (marker.kind == decor_kind) {
             if (!cut_.take(marker.name, decor_)) extras.wrong("a node of this kind needs triangles of its own");
             return;
         }
-        const auto kind = kinds.find(marker.kind);
-        if (kind == kinds.end()) return;  // somebody else's: navigation's regions, a tool's notes
-        BodyPlan plan{.kind = kind->second, .name = marker.name, .mesh = level_.ground, .origin = marker.position};
+        const auto kind = body_kind(marker.kind);
+        if (!kind) return;  // somebody else's: navigation's regions, a tool's notes
+        BodyPlan plan{.kind = *kind, .name = marker.name, .mesh = level_.ground, .origin = marker.position};
         read_route(extras, plan);
         plan.delay = extras.number("delay", 0.6, 0, 60);
         plan.back = extras.number("back", 3, 0.1, 600);

@@ -36,6 +36,13 @@ std::string_view name_of(BodyKind kind) {
     return {};
 }
 
+std::optional<BodyKind> body_kind(std::string_view kind) {
+    for (const auto known : {BodyKind::platform, BodyKind::turntable, BodyKind::crumble, BodyKind::door,
+                             BodyKind::bounce, BodyKind::hazard})
+        if (name_of(known) == kind) return known;
+    return std::nullopt;
+}
+
 std::string_view name_of(PickupKind kind) {
     switch (kind) {
         case PickupKind::coin:

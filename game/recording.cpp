@@ -3,14 +3,17 @@
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <zlib.h>
 
 #include "game/whole_file.hpp"
 
 namespace surefoot::game {
 namespace {
 
-// magic, checksum of the rest, length of the header, header (JSON), inputs in runs of equal ones, hashes.
-constexpr std::string_view magic = "SFRUN\x01\r\n";
+// magic, checksum of the rest, length of the header, header (JSON), length of what is packed, inputs in runs of equal
+// ones, packed, hashes.
+constexpr std::string_view magic = "SFRUN\x02\r\n";
 constexpr std::uint64_t hash_every = 60;             // ticks
 constexpr std::uint64_t most_ticks = 60 * 60 * 600;  // ten hours
 
@@ -39,6 +42,43 @@ struct Bytes {
 
 std::uint64_t checksum(std::string_view bytes) {
     return hash_bytes(std::as_bytes(std::span(bytes)));
+}
+
+// How often an input is held in a row, and the input.
+constexpr std::size_t row_size = sizeof(std::uint32_t) + sizeof(HeroInput);
+
+// Rows side by side differ little: their first bytes one after the other, then their second ones and so on, each less
+// that of the row before, deflate to a fourth.
+std::string packed(std::string_view rows) {
+    const std::size_t count = rows.size() / row_size;
+    std::string columns(rows.size(), '\0');
+    for (std::size_t byte = 0; byte < row_size; ++byte)
+        for (std::size_t row = 0; row < count; ++row) {
+            const char before = row > 0 ? rows[(row - 1) * row_size + byte] : '\0';
+            columns[byte * count + row] = char(std::uint8_t(rows[row * row_size + byte]) - std::uint8_t(before));
+        }
+    uLongf size = compressBound(uLong(columns.size()));
+    std::string out(size, '\0');
+    compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(columns.data()),
+              uLong(columns.size()), Z_BEST_COMPRESSION);
+    out.resize(size);
+    return out;
+}
+
+// Back again, if it is so many rows; else nothing.
+std::optional<std::string> unpacked(std::string_view bytes, std::size_t count) {
+    std::string columns(count * row_size, '\0');
+    uLongf size = uLong(columns.size());
+    const int result = uncompress(reinterpret_cast<Bytef*>(columns.data()), &size,
+                                  reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
+    if (result != Z_OK || size != columns.size()) return std::nullopt;
+    std::string rows(columns.size(), '\0');
+    for (std::size_t byte = 0; byte < row_size; ++byte)
+        for (std::size_t row = 0; row < count; ++row) {
+            const char before = row > 0 ? rows[(row - 1) * row_size + byte] : '\0';
+            rows[row * row_size + byte] = char(std::uint8_t(columns[byte * count + row]) + std::uint8_t(before));
+        }
+    return rows;
 }
 
 }  // namespace
@@ -77,41 +117,48 @@ bool Player::tick(Game& game) {
     return true;
 }
 
-Expected<void> write_recording(const std::string& path, const Recording& recording) {
+std::string to_bytes(const Recording& recording) {
     nlohmann::json decisions = nlohmann::json::array();
     for (const RunDecision& decision : recording.decisions)
         decisions.push_back({{"give_up", decision.kind == RunDecision::Kind::give_up}, {"tick", decision.tick}});
-    const nlohmann::json header{{"level", recording.level},          {"level_hash", recording.level_hash},
-                                {"player", recording.player},        {"ticks", recording.inputs.size()},
-                                {"hashes", recording.hashes.size()}, {"won", recording.won},
-                                {"seconds", recording.seconds},      {"decisions", decisions}};
+    std::string rows;
+    for (std::size_t i = 0; i < recording.inputs.size();) {
+        std::uint32_t same = 1;
+        while (i + same < recording.inputs.size() && recording.inputs[i + same] == recording.inputs[i]) ++same;
+        put(rows, same);
+        put(rows, recording.inputs[i]);
+        i += same;
+    }
+    const nlohmann::json header{{"level", recording.level},       {"level_hash", recording.level_hash},
+                                {"player", recording.player},     {"ticks", recording.inputs.size()},
+                                {"rows", rows.size() / row_size}, {"hashes", recording.hashes.size()},
+                                {"won", recording.won},           {"seconds", recording.seconds},
+                                {"decisions", decisions}};
     const std::string words = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::string body;
     put(body, std::uint32_t(words.size()));
     body += words;
-    for (std::size_t i = 0; i < recording.inputs.size();) {
-        std::uint32_t same = 1;
-        while (i + same < recording.inputs.size() && recording.inputs[i + same] == recording.inputs[i]) ++same;
-        put(body, same);
-        put(body, recording.inputs[i]);
-        i += same;
-    }
+    const std::string inputs = packed(rows);
+    put(body, std::uint32_t(inputs.size()));
+    body += inputs;
     for (const std::uint64_t hash : recording.hashes) put(body, hash);
     std::string bytes(magic);
     put(bytes, checksum(body));
-    return write_whole(path, bytes + body);
+    return bytes + body;
 }
 
-Expected<Recording> read_recording(const std::string& path) {
-    const auto bytes = read_whole(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    Bytes at{*bytes};
+Expected<void> write_recording(const std::string& path, const Recording& recording) {
+    return write_whole(path, to_bytes(recording));
+}
+
+Expected<Recording> recording_of(std::string_view bytes, const std::string& path) {
+    Bytes at{bytes};
     const auto fail = [&](ErrorCode code, const std::string& what) {
-        return tl::unexpected(Error{code, path + ": " + what, path, bytes->size() - at.left.size()});
+        return tl::unexpected(Error{code, path + ": " + what, path, bytes.size() - at.left.size()});
     };
     const std::string damaged = "the recording is damaged; record the run again";
-    if (bytes->substr(0, 5) != magic.substr(0, 5)) return fail(ErrorCode::unreadable, "this is no recording of a run");
-    if (bytes->substr(0, magic.size()) != magic)
+    if (bytes.substr(0, 5) != magic.substr(0, 5)) return fail(ErrorCode::unreadable, "this is no recording of a run");
+    if (bytes.substr(0, magic.size()) != magic)
         return fail(ErrorCode::unsupported, "this recording is of another version; record the run again");
     at.left.remove_prefix(magic.size());
     if (at.take<std::uint64_t>() != checksum(at.left) || !at.good) return fail(ErrorCode::unreadable, damaged);
@@ -121,6 +168,7 @@ Expected<Recording> read_recording(const std::string& path) {
     at.left.remove_prefix(length);
     Recording made;
     std::uint64_t ticks = 0;
+    std::uint64_t rows = 0;
     std::uint64_t hashes = 0;
     try {
         made.level = header.at("level").get<std::string>();
@@ -129,6 +177,7 @@ Expected<Recording> read_recording(const std::string& path) {
         made.won = header.at("won").get<bool>();
         made.seconds = header.at("seconds").get<double>();
         ticks = header.at("ticks").get<std::uint64_t>();
+        rows = header.at("rows").get<std::uint64_t>();
         hashes = header.at("hashes").get<std::uint64_t>();
         for (const auto& decision : header.at("decisions"))
             made.decisions.push_back(
@@ -137,16 +186,29 @@ Expected<Recording> read_recording(const std::string& path) {
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::unreadable, damaged);
     }
-    if (ticks > most_ticks || hashes > ticks) return fail(ErrorCode::unreadable, damaged);
-    while (at.good && made.inputs.size() < ticks) {
-        const auto same = at.take<std::uint32_t>();
-        const auto input = at.take<HeroInput>();
-        if (same == 0 || same > ticks - made.inputs.size()) at.good = false;
-        if (at.good) made.inputs.insert(made.inputs.end(), same, input);
+    const auto size = at.take<std::uint32_t>();
+    if (ticks > most_ticks || rows > ticks || hashes > ticks || !at.good || size > at.left.size())
+        return fail(ErrorCode::unreadable, damaged);
+    const auto inputs = unpacked(at.left.substr(0, size), std::size_t(rows));
+    if (!inputs) return fail(ErrorCode::unreadable, damaged);
+    at.left.remove_prefix(size);
+    Bytes row{*inputs};
+    while (row.good && !row.left.empty()) {
+        const auto same = row.take<std::uint32_t>();
+        const auto input = row.take<HeroInput>();
+        if (same == 0 || same > ticks - made.inputs.size()) row.good = false;
+        if (row.good) made.inputs.insert(made.inputs.end(), same, input);
     }
+    if (!row.good || made.inputs.size() != ticks) return fail(ErrorCode::unreadable, damaged);
     for (std::uint64_t i = 0; at.good && i < hashes; ++i) made.hashes.push_back(at.take<std::uint64_t>());
     if (!at.good || !at.left.empty()) return fail(ErrorCode::unreadable, damaged);
     return made;
+}
+
+Expected<Recording> read_recording(const std::string& path) {
+    const auto bytes = read_whole(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return recording_of(*bytes, path);
 }
 
 }  // namespace surefoot::game

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <surefoot/error.hpp>
@@ -60,10 +61,15 @@ private:
     std::uint64_t diverged_ = 0;
 };
 
-/// A small binary file (".run"), versioned and checked. Fails with `write_failed`; nothing half-written is left.
+/// The bytes of a small file (".run"), versioned and checked, and back. `file` is what errors name. Reading fails with
+/// `unreadable` for damaged bytes, with the place, and with `unsupported` for another version.
+[[nodiscard]] std::string to_bytes(const Recording& recording);
+[[nodiscard]] Expected<Recording> recording_of(std::string_view bytes, const std::string& file);
+
+/// Fails with `write_failed`; nothing half-written is left.
 [[nodiscard]] Expected<void> write_recording(const std::string& path, const Recording& recording);
 
-/// Fails with `not_found`, `unreadable` for a damaged file with the byte, `unsupported` for another version.
+/// Fails with `not_found`, and as above.
 [[nodiscard]] Expected<Recording> read_recording(const std::string& path);
 
 }  // namespace surefoot::game

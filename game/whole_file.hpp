@@ -1,4 +1,4 @@
-/// Writing a file so that whoever looks finds the whole old one or the whole new one.
+/// Small files of the game, read whole and replaced whole.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace surefoot::game {
 
-/// Makes the folder, too. Fails with `write_failed`; nothing half-written is left.
+/// As `write_whole_file`, and makes the folder, too. Fails with `write_failed`.
 [[nodiscard]] Expected<void> write_whole(const std::string& path, std::string_view bytes);
 
 /// Fails with `not_found`.

@@ -4,54 +4,14 @@
 #include <array>
 #include <cmath>
 #include <vector>
-// The picture is small and its bytes are wanted in memory; nothing here is called from elsewhere.
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#endif
-#include <stb/stb_image_write.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
+#include "playtest/picture.hpp"
 #include "playtest/vectors.hpp"
 
 namespace surefoot::playtest {
 namespace {
 
 constexpr double margin = 3;  // around the level [m]
-
-struct Picture {
-    int width;
-    int height;
-    std::vector<std::uint8_t> rgba;
-};
-
-std::string base64(const std::string& bytes) {
-    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) { return k < bytes.size() ? std::uint32_t(std::uint8_t(bytes[k])) : 0U; };
-        const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-        out += letters[three >> 18U & 63U];
-        out += letters[three >> 12U & 63U];
-        out += i + 1 < bytes.size() ? letters[three >> 6U & 63U] : '=';
-        out += i + 2 < bytes.size() ? letters[three & 63U] : '=';
-    }
-    return out;
-}
-
-std::string data_uri(const Picture& picture) {
-    std::string png;
-    const auto take = [](void* context, void* data, int size) {
-        static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
-    };
-    stbi_write_png_to_func(take, &png, picture.width, picture.height, 4, picture.rgba.data(), picture.width * 4);
-    return "data:image/png;base64," + base64(png);
-}
 
 // Draws triangles from above into a picture, the highest in front.
 class Painter {
@@ -60,7 +20,7 @@ public:
         : frame_(frame),
           low_(low),
           high_(std::max(high, low + 1)),
-          picture_{frame.width, frame.height, std::vector<std::uint8_t>(std::size_t(frame.width * frame.height) * 4)},
+          picture_(frame.width, frame.height),
           depth_(std::size_t(frame.width * frame.height), -1e300) {}
 
     void draw(const Mesh& mesh, const dvec3& origin, bool moves) {
@@ -154,7 +114,7 @@ std::string plan_picture(const game::Level& level, const PlanFrame& frame) {
 }
 
 std::string heat_picture(const HeatMap& heat, const PlanFrame& frame) {
-    Picture picture{frame.width, frame.height, std::vector<std::uint8_t>(std::size_t(frame.width * frame.height) * 4)};
+    Picture picture(frame.width, frame.height);
     std::uint32_t most = 1;
     for (const auto& [cell, count] : heat) most = std::max(most, count);
     for (const auto& [cell, count] : heat) {

@@ -8,6 +8,7 @@
 
 #include "game/whole_file.hpp"
 #include "playtest/report_parts.hpp"
+#include "playtest/report_script.hpp"
 
 namespace surefoot::playtest {
 namespace {
@@ -22,9 +23,15 @@ td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}
 .good{color:#18723a}.bad{color:#b3261e;font-weight:600}.dim{color:#777}
 .plan{position:relative;background:#dfe5ea;margin:.6em 0;max-width:100%}.plan svg{position:absolute;left:0;top:0}
 .plans{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0}figcaption{color:#555;font-size:13px}
-.incidents{display:flex;flex-wrap:wrap;gap:.8em}.incident{width:230px;font-size:13px;background:#fff;border:1px solid #ddd;padding:.5em}
-.frame{width:214px;height:150px;background-color:#dfe5ea;position:relative;overflow:hidden}
-.frame svg{position:absolute;left:0;top:0}
+.incidents{display:flex;flex-wrap:wrap;gap:.8em;align-items:flex-start}
+.incident{width:480px;max-width:100%;box-sizing:content-box;font-size:13px;background:#fff;border:1px solid #ddd;padding:.5em}
+.incident.small{width:214px}.incident p{margin:.4em 0 0}.incident code{font-size:12px}
+.incident img,.clip canvas{display:block;max-width:100%;height:auto}
+.aside{display:flex;margin-top:2px}.aside figure{width:50%}
+.incident figure{position:relative}.incident figcaption{position:absolute;left:.4em;bottom:.3em;color:#fff;text-shadow:0 0 3px #000,0 0 3px #000}
+.from-above{width:214px;height:150px;background-color:#dfe5ea;position:relative;overflow:hidden}
+.from-above svg{position:absolute;left:0;top:0}
+.clip{margin-top:2px}.bar{display:flex;gap:.5em;align-items:center}.bar input{flex:1}
 </style></head><body>
 )";
 
@@ -140,7 +147,8 @@ std::string death_verdict(std::span<const std::uint32_t> deaths, std::size_t sec
     return "";
 }
 
-Report make_report(std::span<const Findings> levels, std::span<const Session> sessions, const std::string& folder) {
+Report make_report(std::span<const Findings> levels, std::span<const Session> sessions, const std::string& folder,
+                   const ReportOptions& options) {
     Report report;
     std::string& out = report.html;
     out += head;
@@ -170,27 +178,31 @@ Report make_report(std::span<const Findings> levels, std::span<const Session> se
         add_sections(out, of);
         const PlanFrame frame = plan_frame(*of.level);
         add_plans(out, of, frame, i);
-        add_incidents(report, of, frame, i, folder);
+        // Levels that follow get as much of the room that is left.
+        const std::size_t left = options.most_bytes > out.size() ? options.most_bytes - out.size() : 0;
+        add_incidents(report, of, frame,
+                      {.level = i,
+                       .folder = folder,
+                       .framed = options.framed,
+                       .room = left / (levels.size() - i),
+                       .progress = [&](double done) {
+                           if (options.progress) options.progress((double(i) + done) / double(levels.size()));
+                       }});
     }
     add_sessions(out, sessions);
+    out += page_script;
     out += "</body></html>\n";
     return report;
 }
 
 Expected<void> write_report(const std::string& path, std::span<const Findings> levels,
-                            std::span<const Session> sessions) {
+                            std::span<const Session> sessions, const ReportOptions& options) {
     const std::filesystem::path page(path);
     const std::string folder = page.stem().string() + "_files";
-    const Report report = make_report(levels, sessions, folder);
-    for (const ReportFile& file : report.files) {
-        const std::string to = (page.parent_path() / folder / file.name).string();
-        const PlayedRun& run = levels[file.level].runs[file.run];
-        std::error_code error;
-        std::filesystem::create_directories(std::filesystem::path(to).parent_path(), error);
-        const auto written = file.incident ? write_capture(*run.telemetry.incidents[*file.incident].capture, to)
-                                           : game::write_recording(to, run.recording);
-        if (!written) return tl::unexpected(written.error());
-    }
+    const Report report = make_report(levels, sessions, folder, options);
+    for (const ReportFile& file : report.files)
+        if (auto written = game::write_whole((page.parent_path() / folder / file.name).string(), file.bytes); !written)
+            return written;
     return game::write_whole(path, report.html);
 }
 

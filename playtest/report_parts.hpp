@@ -1,6 +1,7 @@
 /// The parts of the page that are drawn.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,23 @@ namespace surefoot::playtest {
 /// class `plan` and the level's number.
 void add_plans(std::string& out, const Findings& of, const PlanFrame& frame, std::size_t level);
 
-/// The incidents, each with a frame and its files; those to be looked at first.
-void add_incidents(Report& report, const Findings& of, const PlanFrame& frame, std::size_t level,
-                   const std::string& folder);
+[[nodiscard]] std::string colour_of(Incident::Kind kind);
+
+/// "failed jump: fell out of the level, in The ferries".
+[[nodiscard]] std::string title_of(const Findings& of, const Incident& incident);
+
+/// Where it happened, from near by and above, with the trail that led there.
+[[nodiscard]] std::string from_above(const Incident& incident, const PlanFrame& plan, std::size_t level);
+
+struct IncidentsPart {
+    std::size_t level = 0;
+    std::string folder{};  ///< of files beside the page
+    int framed = 10;       ///< places of which frames are drawn
+    std::size_t room = 0;  ///< for pictures and replays [bytes]
+    std::function<void(double)> progress{};
+};
+
+/// The incidents by place, those to be looked at first in front: frames, the last seconds, the replay.
+void add_incidents(Report& report, const Findings& of, const PlanFrame& frame, const IncidentsPart& part);
 
 }  // namespace surefoot::playtest

@@ -129,6 +129,26 @@ TEST_F(CliNav, a_level_without_spawn_markers_is_begun_where_one_says) {
     }
 }
 
+// The defect: what is only drawn was walked on, and lifts were ground at their first stop.
+TEST_F(CliNav, of_a_level_of_the_platformer_it_is_the_still_ground) {
+    const std::string level = std::string(SUREFOOT_LEVELS) + "/platformer/clockwork.glb";
+    const std::string built = path("clockwork.surefoot");
+    const std::string options = " --unproved --radius 0.35 --height 1.6 -o " + built;
+    const Outcome text = run("nav build " + level + options);
+    ASSERT_EQ(text.code, 0) << text.err;
+    EXPECT_TEXT(text.out, "a level of the platformer: of it the still ground; 18 moving bodies and ");
+    const auto json = nlohmann::json::parse(run("nav build " + level + options + " --json").out);
+    EXPECT_EQ(json["moving_left_out"], 18);
+    EXPECT_EQ(json["decor_left_out"], 9);
+    // The file keeps all of its triangles.
+    EXPECT_EQ(nlohmann::json::parse(run("info " + built + " --json").out)["triangles"],
+              nlohmann::json::parse(run("info " + level + " --json").out)["triangles"]);
+    // A level of anybody else's is taken whole, and nothing is said of it.
+    const auto other = nlohmann::json::parse(run("nav build " + floor_ + " --unproved --json -o " + built).out);
+    EXPECT_EQ(other["moving_left_out"], 0);
+    EXPECT_EQ(run("nav build " + floor_ + " --unproved -o " + built).out.find("still ground"), std::string::npos);
+}
+
 TEST_F(CliNav, surfaces_are_what_they_are_called) {
     // Two floors, the one four metres above the other, and a ladder between them.
     const auto storeys = [&](const std::string& ladder, const std::string& floor) {

@@ -10,6 +10,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include <surefoot/whole_file.hpp>
+
 #include "file_things.hpp"
 #include "platform/atomic_file.hpp"
 #include "platform/folders.hpp"
@@ -120,6 +122,70 @@ TEST_F(Writing, what_is_not_committed_never_was) {
         ASSERT_TRUE(file->write(std::as_bytes(std::span("text"))).has_value());
         EXPECT_EQ(file_count(), 1U);
     }
+    EXPECT_EQ(file_count(), 0U);
+}
+
+std::span<const std::byte> text_of(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+TEST_F(Writing, a_whole_file_is_what_was_written_last) {
+    ASSERT_TRUE(write_whole_file(path("own"), text_of("the old one, and longer")).has_value());
+    ASSERT_TRUE(write_whole_file(path("own"), text_of("the new one")).has_value());
+    const Bytes bytes = read_bytes(path("own"));
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), "the new one");
+    ASSERT_TRUE(write_whole_file(path("own"), {}).has_value());
+    EXPECT_TRUE(read_bytes(path("own")).empty());
+    EXPECT_EQ(file_count(), 1U);
+}
+
+// In a child, because what a process may do is for the whole process. True if writing fails and says this.
+template <typename Restrict>
+bool fails_in_a_child(const std::string& path, std::string_view says, const Restrict& restrict_self) {
+    const pid_t child = fork();
+    if (child == 0) {
+        restrict_self();
+        const std::string large(100000, 'x');
+        const auto written = write_whole_file(path, text_of(large));
+        _exit(!written && written.error().code == ErrorCode::write_failed && written.error().file == path &&
+                      written.error().text.find(says) != std::string::npos
+                  ? 0
+                  : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST_F(Writing, without_room_the_old_whole_file_stays) {
+    ASSERT_TRUE(write_whole_file(path("own"), text_of("the old one")).has_value());
+    const Bytes old = read_bytes(path("own"));
+    EXPECT_TRUE(fails_in_a_child(path("own"), "File too large", [] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{20000, 20000};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }));
+    EXPECT_EQ(read_bytes(path("own")), old);
+    EXPECT_EQ(file_count(), 1U) << "what was begun is removed again";
+}
+
+TEST_F(Writing, without_permission_the_old_whole_file_stays) {
+    ASSERT_TRUE(write_whole_file(path("own"), text_of("the old one")).has_value());
+    const Bytes old = read_bytes(path("own"));
+    ASSERT_EQ(chmod(folder_.c_str(), 0555), 0);
+    // Whoever may do everything becomes nobody first.
+    EXPECT_TRUE(fails_in_a_child(path("own"), "Permission denied", [] {
+        constexpr uid_t nobody = 65534;
+        if (geteuid() == 0 && setuid(nobody) != 0) _exit(2);
+    }));
+    ASSERT_EQ(chmod(folder_.c_str(), 0755), 0);
+    EXPECT_EQ(read_bytes(path("own")), old);
+    EXPECT_EQ(file_count(), 1U);
+}
+
+TEST_F(Writing, a_whole_file_needs_its_folder_and_replaces_plain_files_only) {
+    EXPECT_EQ(write_whole_file(path("nowhere/own"), text_of("x")).error().code, ErrorCode::write_failed);
+    EXPECT_EQ(write_whole_file(folder_.string(), text_of("x")).error().code, ErrorCode::write_failed);
     EXPECT_EQ(file_count(), 0U);
 }
 

@@ -38,7 +38,7 @@ void append_field(std::string& out, const char* name, double value) {
     append_number(out, value);
 }
 
-std::string built_json(const std::string& file, const NavigationMesh& mesh, std::size_t bytes,
+std::string built_json(const std::string& file, const StillLevel& still, const NavigationMesh& mesh, std::size_t bytes,
                        const NavigationAgreement& agreement) {
     const NavigationReport report = mesh.report();
     const NavigationAgent& agent = mesh.agent();
@@ -51,6 +51,7 @@ std::string built_json(const std::string& file, const NavigationMesh& mesh, std:
     out += fmt::format(R"(,"rehearsed":{},"failed_links":{},"failed_polygons":{})", agreement.rehearsed,
                        agreement.failed_links, agreement.failed_polygons);
     append_field(out, "failed_area", agreement.failed_area);
+    out += still.json();
     append_field(out, "seconds", report.seconds);
     out += R"(,"agent":{"radius":)";
     append_number(out, agent.radius);
@@ -61,13 +62,14 @@ std::string built_json(const std::string& file, const NavigationMesh& mesh, std:
     return out + "}}\n";
 }
 
-std::string built_text(const std::string& file, const NavigationMesh& mesh, std::size_t bytes,
+std::string built_text(const std::string& file, const StillLevel& still, const NavigationMesh& mesh, std::size_t bytes,
                        const NavigationAgreement& agreement) {
     const NavigationReport report = mesh.report();
     const NavigationAgent& agent = mesh.agent();
     std::string out = fmt::format("{}: {} m2 of ground in {} polygons and {} tiles, {} links, {} bytes, built in {}\n",
                                   file, short_number(report.area), grouped(report.polygons), grouped(report.tiles),
                                   grouped(mesh.links().size()), grouped(bytes), duration(report.seconds));
+    out += still.text();
     out += fmt::format("  for       a cylinder of radius {} m and {} m high, with its skin, around the body\n",
                        short_number(agent.radius), short_number(agent.height));
     out += fmt::format("  that      walks up steps of {} m and stands on slopes of {} degrees\n",
@@ -89,8 +91,9 @@ ExitCode run_build(const BuildGiven& given) {
                       fmt::format("{}: is not cooked, so name the file to write: -o LEVEL.surefoot", given.level.file)};
     const std::string output = given.output.empty() ? given.level.file : given.output;
     const Level level = load_level(given.level);
+    const StillLevel still(level);
     NavigationAgreement agreement;
-    const NavigationMesh mesh = build_ground(level, given.walker, given.unproved ? Proof::none : Proof::by_feet,
+    const NavigationMesh mesh = build_ground(level, still, given.walker, given.unproved ? Proof::none : Proof::by_feet,
                                              given.start.value(), &agreement);
     const std::vector<std::byte> bytes = mesh.to_bytes();
     // What is refused when it is opened is better not written.
@@ -99,8 +102,8 @@ ExitCode run_build(const BuildGiven& given) {
     const Section section = navigation_section(bytes, level.mesh.made_from());
     const auto written = level.mesh.write(output, std::span(&section, 1));
     if (!written) throw Failure{ExitCode::file, written.error().text};
-    write_out(given.json ? built_json(output, mesh, bytes.size(), agreement)
-                         : built_text(output, mesh, bytes.size(), agreement));
+    write_out(given.json ? built_json(output, still, mesh, bytes.size(), agreement)
+                         : built_text(output, still, mesh, bytes.size(), agreement));
     return ExitCode::ok;
 }
 
@@ -164,7 +167,8 @@ ExitCode run_path(const PathGiven& given) {
     const Level level = load_level(given.level);
     std::optional<NavigationMesh> kept;
     if (!given.walker.any()) kept = ground_in(level);
-    const NavigationMesh mesh = kept ? *std::move(kept) : build_ground(level, given.walker, Proof::none);
+    const NavigationMesh mesh =
+        kept ? *std::move(kept) : build_ground(level, StillLevel(level), given.walker, Proof::none);
     const NavigationQuery query(mesh, 65535);
     const auto start = ground_at(query, from);
     const auto end = ground_at(query, to);
@@ -204,7 +208,9 @@ void add_build(CLI::App& nav, Run& run) {
         "The old file stays whole until the new one is. Markers of the level of the kind\n"
         "navigation_forbid keep everybody out of their box; of the kind navigation_require they make building fail "
         "when\n"
-        "there is no ground in it.\n"
+        "there is no ground in it. Of a level of the platformer it is the still ground: what moves and what is drawn "
+        "only\n"
+        "is left out.\n"
         "Exit codes: 0 written, 2 wrong usage or a level for which this cannot be done, 3 a file cannot be read or\n"
         "written."));
     command->callback([given, &run] { run = [given] { return run_build(*given); }; });

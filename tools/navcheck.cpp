@@ -42,10 +42,12 @@ std::string verdict(bool good) {
     return good ? "good" : "FAILS";
 }
 
-std::string check_text(const std::string& file, const NavigationCheck& check, const std::vector<std::string>& saved) {
+std::string check_text(const std::string& file, const StillLevel& still, const NavigationCheck& check,
+                       const std::vector<std::string>& saved) {
     const NavigationAgreement& agreement = check.agreement;
     std::string out = fmt::format("{}: {} m2 of ground in {} polygons\n", file, short_number(check.mesh.area),
                                   grouped(check.mesh.polygons));
+    out += still.text();
     out += fmt::format(
         "  taken out  {:.1f} m2 to which no feet get, {:.1f} m2 from which they do not get back; {:.1f} m2 are left\n",
         agreement.unreached, agreement.no_return, agreement.kept);
@@ -90,7 +92,8 @@ void append_point(std::string& out, const char* name, const dvec3& value) {
     append_array(out, value);
 }
 
-std::string check_json(const std::string& file, const NavigationCheck& check, const std::vector<std::string>& saved) {
+std::string check_json(const std::string& file, const StillLevel& still, const NavigationCheck& check,
+                       const std::vector<std::string>& saved) {
     std::string out = fmt::format(
         R"({{"file":{},"passes":{},"polygons":{},"area":{:.3f},"kept":{:.3f},"unreached":{:.3f},"no_return":{:.3f},"flood":{:.3f},"covered":{:.6f},"rehearsed":{},"failed_links":{},"failed_polygons":{},"failed_area":{:.3f},"walks":{},"arrived":{},"links_walked":{},"length":{:.3f},"seconds":{:.3f},"slowest":{:.3f},"links":{{)",
         json_string(file), check.passes(), check.mesh.polygons, check.mesh.area, check.agreement.kept,
@@ -102,7 +105,7 @@ std::string check_json(const std::string& file, const NavigationCheck& check, co
         out += fmt::format(R"({}"{}":{{"tried":{},"done":{},"useful":{},"in_reach":{},"kept":{}}})",
                            kind == 0 ? "" : ",", kind_keys[kind], check.links.tried[kind], check.links.done[kind],
                            check.links.kept[kind], check.links_of_feet[kind], check.links_kept[kind]);
-    out += R"(},"failed":[)";
+    out += "}" + still.json() + R"(,"failed":[)";
     for (std::size_t i = 0; i < check.failed.size(); ++i) {
         const NavigationFailedWalk& walk = check.failed[i];
         out += i == 0 ? "{" : ",{";
@@ -138,7 +141,8 @@ ExitCode run_check(const CheckGiven& given) {
     static_cast<void>(given.walker.settings());  // what is wrong with them is said before the level is read
     const Level level = load_level(given.level);
     World world;
-    if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
+    const StillLevel still(level);
+    if (const auto added = world.add(still.mesh); !added) throw Failure{ExitCode::file, added.error().text};
     CheckBars bars;
     const auto show = [&](NavigationCheckPart part, std::size_t done, std::size_t all) { bars.show(part, done, all); };
     const Ground ground(level, given.walker);
@@ -164,7 +168,7 @@ ExitCode run_check(const CheckGiven& given) {
     bars.end();
     if (!check) throw Failure{ExitCode::usage, level.file + ": " + check.error().text};
     const std::vector<std::string> saved = save_stuck(world, settings, *check, given.save);
-    write_out(given.json ? check_json(level.file, *check, saved) : check_text(level.file, *check, saved));
+    write_out(given.json ? check_json(level.file, still, *check, saved) : check_text(level.file, still, *check, saved));
     return check->passes() ? ExitCode::ok : ExitCode::failed;
 }
 
@@ -208,6 +212,7 @@ void add_navcheck(CLI::App& program, Run& run) {
         "knows at least 98% of what the feet reach, and if no kind of link is lost. `surefoot replay STEM-1.json` "
         "says\n"
         "why a walk got stuck.\n"
+        "Of a level of the platformer the still ground is checked, without what moves and what is drawn only.\n"
         "Exit codes: 0 it passes, 1 it does not, 2 wrong usage or a level for which this cannot be done, 3 a file\n"
         "cannot be read or written."));
     command->callback([given, &run] { run = [given] { return run_check(*given); }; });

@@ -6,12 +6,14 @@
 #include <surefoot/character_settings.hpp>
 
 #include "command.hpp"
+#include "game/still_ground.hpp"
 #include "kitchen.hpp"
 #include "navigator_bars.hpp"
 #include "options.hpp"
 #include "parse.hpp"
 #include "progress.hpp"
 #include "surface_words.hpp"
+#include "text.hpp"
 
 namespace surefoot::tools {
 
@@ -92,6 +94,31 @@ Ground::Ground(const Level& level, const WalkerOptions& walker)
     options.regions = regions;
 }
 
+StillLevel::StillLevel(const Level& level) : mesh(level.mesh) {
+    const auto notes = level_notes(level.mesh);
+    if (!notes) throw Failure{ExitCode::file, fmt::format("{}: {}", level.file, notes.error().text)};
+    const game::StillGround still = game::still_ground(*notes);
+    if (still.is_all()) return;
+    auto hidden = level.mesh.with_hidden(still.others);
+    if (!hidden) throw Failure{ExitCode::file, fmt::format("{}: {}", level.file, hidden.error().text)};
+    mesh = std::move(*hidden);
+    moving = still.moving;
+    decor = still.decor;
+}
+
+std::string StillLevel::text() const {
+    if (moving + decor == 0) return {};
+    return fmt::format(
+        "  still     a level of the platformer: of it the still ground; {} moving bodies and {} pieces of decor are "
+        "left "
+        "out\n",
+        grouped(moving), grouped(decor));
+}
+
+std::string StillLevel::json() const {
+    return fmt::format(R"(,"moving_left_out":{},"decor_left_out":{})", moving, decor);
+}
+
 std::vector<dvec3> starts_of(const Level& level) {
     std::vector<dvec3> starts;
     for (const ImportedMarker& marker : level.markers)
@@ -99,10 +126,10 @@ std::vector<dvec3> starts_of(const Level& level) {
     return starts;
 }
 
-NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Proof proof,
+NavigationMesh build_ground(const Level& level, const StillLevel& still, const WalkerOptions& walker, Proof proof,
                             const std::optional<dvec3>& given, NavigationAgreement* agreement) {
     World world;
-    if (const auto added = world.add(level.mesh); !added) throw Failure{ExitCode::file, added.error().text};
+    if (const auto added = world.add(still.mesh); !added) throw Failure{ExitCode::file, added.error().text};
     Ground ground(level, walker);
     const CharacterSettings& settings = ground.settings;
     std::optional<ProgressBar> bar(std::in_place, "looking for ground");

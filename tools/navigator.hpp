@@ -59,6 +59,20 @@ struct Ground {
     NavigationOptions options;
 };
 
+/// What of a level stands still and is solid. Of one of the platformer's the rest is hidden, and said to be left out.
+struct StillLevel {
+    explicit StillLevel(const Level& level);
+
+    Mesh mesh;  ///< with the triangles' numbers of the level's own
+    std::size_t moving = 0;
+    std::size_t decor = 0;
+
+    /// "  left out   23 moving bodies ...", a line; empty if nothing is.
+    [[nodiscard]] std::string text() const;
+    /// `,"moving_left_out":23,"decor_left_out":40`.
+    [[nodiscard]] std::string json() const;
+};
+
 /// Where the level's markers say that characters begin.
 [[nodiscard]] std::vector<dvec3> starts_of(const Level& level);
 
@@ -68,10 +82,10 @@ enum class Proof : std::uint8_t {
     by_feet,  ///< links that a simulated character gets over, and without what it does not reach
 };
 
-/// Builds the mesh of a level with a progress bar. The proof begins at `start`, or else where `best_start` says; what
-/// it took out is told in `agreement`. Throws `Failure`.
-[[nodiscard]] NavigationMesh build_ground(const Level& level, const WalkerOptions& walker, Proof proof,
-                                          const std::optional<dvec3>& start = {},
+/// Builds the mesh of what stands still of a level, with a progress bar. The proof begins at `start`, or else where
+/// `best_start` says; what it took out is told in `agreement`. Throws `Failure`.
+[[nodiscard]] NavigationMesh build_ground(const Level& level, const StillLevel& still, const WalkerOptions& walker,
+                                          Proof proof, const std::optional<dvec3>& start = {},
                                           NavigationAgreement* agreement = nullptr);
 
 /// The mesh that the level's file holds, if it holds one. Throws `Failure` if that is damaged.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 #include "command.hpp"
 #include "game/whole_file.hpp"
@@ -21,6 +22,7 @@ struct PlaytestGiven {
     double hours = 0.25;
     std::uint64_t seed = 1;
     int threads = 2;
+    int frames = playtest::ReportOptions{}.framed;
     std::string report = "playtest.html";
     std::string sessions;
 };
@@ -95,8 +97,11 @@ ExitCode run_playtest(const PlaytestGiven& given) {
         sessions = must(playtest::read_sessions(given.sessions));
         add_people(all, sessions);
     }
-    if (const auto written = playtest::write_report(given.report, all, sessions); !written)
-        throw Failure{ExitCode::file, written.error().text};
+    std::optional<ProgressBar> bar(std::in_place, "drawing incidents");
+    const auto written = playtest::write_report(
+        given.report, all, sessions, {.framed = given.frames, .progress = [&](double done) { bar->show(done); }});
+    bar.reset();
+    if (!written) throw Failure{ExitCode::file, written.error().text};
     write_out(table.text() + reasons + fmt::format("report: {}\n", given.report));
     return std::ranges::all_of(all, &playtest::Findings::is_fine) ? ExitCode::ok : ExitCode::failed;
 }
@@ -122,15 +127,20 @@ void add_playtest(CLI::App& program, Run& run) {
         ->check(CLI::Range(1, 64))
         ->type_name("COUNT");
     command
-        ->add_option("--report", given->report, "Where the page goes (default: playtest.html); its replays beside it")
-        ->type_name("FILE");
+        ->add_option("--frames", given->frames,
+                     "Of how many places of a level where something happened frames are drawn (default: 10)")
+        ->check(CLI::Range(0, 1000))
+        ->type_name("COUNT");
+    command->add_option("--report", given->report, "Where the page goes (default: playtest.html)")->type_name("FILE");
     command->add_option("--sessions", given->sessions, "A folder of sessions with people, to be told of, too")
         ->type_name("FOLDER");
     command->footer(help_footer(
         "  surefoot playtest levels/platformer/first-steps.glb\n"
         "  surefoot playtest levels/platformer --bots 8 --hours 2 --report out/playtest.html\n"
         "  surefoot playtest levels/platformer --bots 0 --sessions ~/sessions\n"
-        "\nThe page needs nothing but itself; replays and the steps of stuck moments lie in the folder FILE_files.\n"
+        "\nThe page needs nothing but itself. It holds frames, the last seconds and replays of what happened, up to "
+        "some\n"
+        "10 MB; replays that find no room lie in the folder FILE_files.\n"
         "Exit codes: 0 all is well, 1 there is something to look at (a goal out of reach, a bot that knows its way "
         "and\n"
         "did not finish, somebody stuck, out of the level, or nowhere), 2 wrong usage, 3 a file cannot be read or "

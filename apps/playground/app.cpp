@@ -86,6 +86,7 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
                               options.scene, options.ghost_command});
     app->stage_->beat = options.beat;
     app->stage_->bot = options.bot;
+    app->stage_->watch_from = options.watch_from;
     app->stage_->session = options.session;
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.only_room.empty() ? options.room : options.only_room);

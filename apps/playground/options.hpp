@@ -25,6 +25,7 @@ struct Options {
     std::string title = "Surefoot playground";
     int beat = 0;           ///< of the platformer's level: seen as its picture is taken
     bool bot = false;       ///< a bot plays where there is a game
+    double watch_from = 0;  ///< into the recording that is watched [s]
     std::string session{};  ///< the folder of an afternoon with people
     std::string level;
     std::string scene;               ///< of the course

@@ -15,7 +15,8 @@ constexpr const char* footer = R"(
 Examples:
   surefoot-platformer                        the title
   surefoot-platformer clockwork              a level at once, by the name of its file
-  surefoot-platformer run.run                watch a recording, as `surefoot playtest` leaves them
+  surefoot-platformer run.run                watch a recording, as the page of `surefoot playtest` holds them
+  surefoot-platformer run.run --from 41.5    the same from that second on
   surefoot-platformer my/castle.glb          a level of yours: docs/levels.md tells how to make one
   surefoot-platformer first-steps --bot      watch a bot play it
   surefoot-platformer --session afternoon    somebody is tested: docs/playtesting.md is the guide
@@ -38,6 +39,9 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     options.title = "Surefoot platformer";
     std::string size;
     program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb; or watch a .run");
+    program.add_option("--from", options.watch_from, "Watch the .run from this second on")
+        ->check(CLI::Range(0.0, 36000.0))
+        ->type_name("SECONDS");
     program.add_flag("--bot", options.bot, "A bot plays");
     program.add_option("--beat", options.beat, "See this beat of the level, as its picture in docs/levels is taken")
         ->check(CLI::Range(1, 100));
@@ -55,6 +59,10 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
         !std::filesystem::exists(options.level)) {
         fmt::print(stderr, "surefoot-platformer: there is no file {}\n", options.level);
         return ExitCode::file;
+    }
+    if (options.watch_from > 0 && !options.level.ends_with(".run")) {
+        fmt::print(stderr, "surefoot-platformer: --from goes with a .run that is watched\n");
+        return ExitCode::usage;
     }
     if (!take_size(size, "surefoot-platformer", options)) return ExitCode::usage;
     return std::nullopt;

@@ -37,6 +37,7 @@ public:
             const fs::path level(stage.level);
             const bool is_recording = level.extension() == ".run";
             if (is_recording) options.watch = stage.level;
+            options.watch_from = stage.watch_from;
             if (!is_recording) options.level = level.stem().string();
             if (!is_recording && level.has_parent_path()) options.level_folders.push_back(level.parent_path().string());
         }

@@ -37,6 +37,7 @@ struct Stage {
     std::string ghost_command{};    ///< a program that walks it beside ours, likewise
     int beat = 0;                   ///< of the platformer's level: seen as its picture is taken; 0: none
     bool bot = false;               ///< it plays, where there is a game
+    double watch_from = 0;          ///< into a recording that is watched [s]
     std::string session{};          ///< the folder of an afternoon with people; empty: nobody is tested
     double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 

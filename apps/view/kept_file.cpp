@@ -5,8 +5,10 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <random>
+#include <span>
 #include <utility>
+
+#include <surefoot/whole_file.hpp>
 
 namespace surefoot::view {
 namespace {
@@ -52,24 +54,10 @@ Expected<void> write_kept(const nlohmann::json& json, const std::string& path, s
     std::error_code error;
     fs::create_directories(fs::path(path).parent_path(), error);
     if (error) return fail(error.message());
-    // A name of its own, so that two programs that end at once do not write into one file.
-    const std::string beside = path + "." + std::to_string(std::random_device{}());
-    {
-        std::ofstream file(beside, std::ios::binary);
-        // Names of files need not be UTF-8; what is not is replaced rather than lost with all the rest.
-        file << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-        file.close();
-        if (!file) {
-            fs::remove(beside, error);
-            return fail("is the disk full?");
-        }
-    }
-    fs::rename(beside, path, error);
-    if (error) {
-        const std::string why = error.message();
-        fs::remove(beside, error);
-        return fail(why);
-    }
+    // Names of files need not be UTF-8; what is not is replaced rather than lost with all the rest.
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    if (const auto written = write_whole_file(path, std::as_bytes(std::span(text))); !written)
+        return fail(written.error().text);
     return {};
 }
 

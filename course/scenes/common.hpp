@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include <surefoot/random.hpp>
+
 #include "course/catalogue.hpp"
 #include "course/measures.hpp"
 
@@ -42,13 +44,7 @@ class Dice {
 public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
 
-    std::uint64_t bits() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t bits() { return next_random(state_); }
     double from(double low, double high) { return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53; }
 
 private:

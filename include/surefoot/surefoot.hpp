@@ -26,6 +26,7 @@
 #include <surefoot/pose.hpp>
 #include <surefoot/private_section.hpp>
 #include <surefoot/query.hpp>
+#include <surefoot/random.hpp>
 #include <surefoot/ray.hpp>
 #include <surefoot/shapes.hpp>
 #include <surefoot/slab.hpp>
@@ -36,4 +37,5 @@
 #include <surefoot/visited_source.hpp>
 #include <surefoot/voxels.hpp>
 #include <surefoot/voxels_move.hpp>
+#include <surefoot/whole_file.hpp>
 #include <surefoot/world.hpp>

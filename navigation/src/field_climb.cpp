@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <surefoot/random.hpp>
+
 #include "field_state.hpp"
 #include "follow_line.hpp"
 #include "follow_sight.hpp"
-#include "split_mix.hpp"
 
 namespace surefoot::navigation {
 namespace {

@@ -2,9 +2,10 @@
 #include <array>
 #include <cmath>
 
+#include <surefoot/random.hpp>
+
 #include "pieces.hpp"
 #include "query_state.hpp"
-#include "split_mix.hpp"
 
 namespace surefoot {
 

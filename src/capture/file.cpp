@@ -1,28 +1,16 @@
 #include <surefoot/capture.hpp>
+#include <surefoot/whole_file.hpp>
 
-#include "capture/writer.hpp"
-#include "platform/atomic_file.hpp"
 #include "platform/bytes.hpp"
 
 namespace surefoot {
-
-namespace internal {
-
-Expected<void> write_text(std::string_view text, const std::string& path) {
-    auto file = AtomicFile::create(path);
-    if (!file) return tl::unexpected(file.error());
-    if (auto written = file->write(std::as_bytes(std::span(text))); !written) return written;
-    return file->commit();
-}
-
-}  // namespace internal
-
 inline namespace v0 {
 
 using namespace internal;
 
 Expected<void> write_capture(const Capture& capture, const std::string& path) {
-    return write_text(capture_text(capture), path);
+    const std::string text = capture_text(capture);
+    return write_whole_file(path, std::as_bytes(std::span(text)));
 }
 
 Expected<Capture> read_capture(const std::string& path) {

@@ -66,6 +66,24 @@ TEST(GameRecording, AFileGivesBackWhatWasWritten) {
     EXPECT_TRUE(read->won);
 }
 
+TEST(GameRecording, IsShorterInAFileThanInMemoryAndCanBeEmpty) {
+    Recording recording = run();
+    for (std::uint32_t i = 0; i < 600; ++i) {
+        HeroInput input;
+        input.move_x = 0.001F * float(i);
+        input.look_yaw_deg = 0.37F * float(i);
+        recording.inputs.push_back(input);
+    }
+    const std::string bytes = to_bytes(recording);
+    EXPECT_LT(bytes.size(), recording.inputs.size() * sizeof(HeroInput) / 2);
+    const auto read = recording_of(bytes, "memory");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->inputs, recording.inputs);
+    const auto nothing = recording_of(to_bytes({}), "memory");
+    ASSERT_TRUE(nothing) << nothing.error().text;
+    EXPECT_TRUE(nothing->inputs.empty());
+}
+
 TEST(GameRecording, NoDamagedFileIsTakenForARun) {
     const std::string path = scratch("damaged.run");
     ASSERT_TRUE(write_recording(path, run()));

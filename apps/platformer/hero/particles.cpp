@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include <surefoot/random.hpp>
+
 namespace surefoot::platformer {
 namespace {
 
@@ -16,12 +18,7 @@ constexpr Colour dust = rgb(0xE6DCC6, 0.75);
 }  // namespace
 
 double Particles::random(double low, double high) {
-    // SplitMix64 (Steele, Lea, Flood 2014).
-    random_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = random_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return low + (high - low) * double((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
+    return low + (high - low) * next_share(random_);
 }
 
 dvec3 Particles::around(double angle_share) const {

@@ -28,6 +28,15 @@ CameraTarget target(const game::Game& game, double facing) {
     return target_of(game.hero().body, game.settings(), facing, game.hero().in_water);
 }
 
+// Every tick is played, and none is drawn: so what follows is what followed then.
+void wind_forward(Run::Prepared& made, const std::atomic<bool>* stop) {
+    made.player.emplace(*made.plan.watched);
+    while (made.game->seconds() < made.plan.watched_from - 0.5 * game::tick_seconds && (stop == nullptr || !*stop) &&
+           made.player->tick(*made.game))
+        for (const game::GameEvent& event : made.game->events())
+            if (event.what == game::Happening::checkpoint) made.section_began = made.game->seconds();
+}
+
 }  // namespace
 
 double facing_of(const dvec3& direction) {
@@ -43,6 +52,7 @@ Expected<Run::Prepared> Run::prepare(Plan plan, const std::atomic<bool>* stop) {
         if (!ghost) return tl::unexpected(ghost.error());
         made.ghost = std::move(*ghost);
     }
+    if (made.plan.watched) wind_forward(made, stop);
     if (made.plan.pilot.study && !made.plan.watched) made.plan.pilot.study(*made.game);
     return made;
 }
@@ -56,7 +66,8 @@ std::unique_ptr<Run> Run::start(Prepared prepared) {
         run->ghost_->pose = hero_at(run->ghost_->game->hero().body, run->game_->settings());
         run->ghost_->before = run->ghost_->pose;
     }
-    if (run->plan_.watched) run->player_.emplace(*run->plan_.watched);
+    run->player_ = prepared.player;
+    run->section_began_ = prepared.section_began;
     run->actors_.emplace(*run->game_);
     run->stand();
     return run;

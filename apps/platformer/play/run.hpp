@@ -32,9 +32,10 @@ public:
     struct Plan {
         std::shared_ptr<const game::Level> level;
         std::string player = "player";
-        std::optional<game::Recording> ghost{};    ///< runs beside it
-        std::optional<game::Recording> watched{};  ///< plays instead of the player
-        Pilot pilot{};                             ///< likewise
+        std::optional<game::Recording> ghost{};            ///< runs beside it
+        std::shared_ptr<const game::Recording> watched{};  ///< plays instead of the player
+        double watched_from = 0;                           ///< into the recording: what was before is not shown [s]
+        Pilot pilot{};                                     ///< plays instead of the player, too
     };
 
     /// A run but for what is drawn of it.
@@ -42,6 +43,8 @@ public:
         Plan plan;
         std::unique_ptr<game::Game> game;
         std::unique_ptr<game::Game> ghost{};
+        std::optional<game::Player> player{};  ///< of what is watched
+        double section_began = 0;              ///< of the section in which that begins [s]
     };
 
     /// What takes long, on any thread. Fails as `Game::start` does.
@@ -62,7 +65,7 @@ public:
 
     [[nodiscard]] const game::Game& game() const { return *game_; }
     [[nodiscard]] const game::Recording& recording() const { return recorder_.recording(); }
-    [[nodiscard]] bool is_watched() const { return plan_.watched.has_value(); }
+    [[nodiscard]] bool is_watched() const { return plan_.watched != nullptr; }
     [[nodiscard]] bool is_piloted() const { return bool(plan_.pilot); }
 
     /// Everything in the world, `blend` of the way between the last two ticks.
@@ -100,7 +103,7 @@ private:
     LevelLook look_;
     std::optional<Actors> actors_;
     game::Recorder recorder_;
-    std::optional<game::Player> player_;  // of what is watched
+    std::optional<game::Player> player_;
     std::optional<Ghost> ghost_;
     HeroPose pose_{};
     HeroPose pose_before_{};

@@ -168,7 +168,8 @@ void Theatre::begin(const std::string& id, Command::Kind how) {
         } else if (how == Command::Kind::race) {
             plan.ghost = std::move(*recording);
         } else {
-            plan.watched = std::move(*recording);
+            plan.watched = std::make_shared<const game::Recording>(std::move(*recording));
+            if (is_named) plan.watched_from = options_.watch_from;
         }
     }
     // What is there in a moment is not announced.

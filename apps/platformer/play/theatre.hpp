@@ -28,6 +28,7 @@ struct TheatreOptions {
     std::vector<std::string> level_folders;  ///< where the .glb files are
     std::string level;                       ///< begins at once, by id; empty: the title
     std::string watch{};                     ///< a recording's file, to be watched at once
+    double watch_from = 0;                   ///< into it [s]
     std::string settings;                    ///< its file; empty: nothing is kept
     std::string progress;                    ///< likewise
     std::string recordings;                  ///< its folder; likewise

@@ -9,6 +9,7 @@
 #include <surefoot/character.hpp>
 #include <surefoot/import.hpp>
 #include <surefoot/mesh.hpp>
+#include <surefoot/random.hpp>
 #include <surefoot/world.hpp>
 
 namespace surefoot::platformer::tests {
@@ -69,13 +70,7 @@ inline Mesh training_ground() {
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
-    double in(double low, double high) {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return low + (high - low) * double((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
-    }
+    double in(double low, double high) { return low + (high - low) * next_share(state_); }
 
 private:
     std::uint64_t state_;

@@ -131,6 +131,34 @@ TEST_F(TheatreTest, races_the_ghost_and_watches_the_recording_to_its_end) {
     EXPECT_EQ(theatre->progress().levels.at("first").runs, 3U) << "what is watched is no run";
 }
 
+TEST_F(TheatreTest, watches_a_recording_from_a_second_on_as_if_it_had_been_watched_from_the_beginning) {
+    open();
+    play_first();
+    win();
+    theatre.reset();
+    options.watch = best_run_path(options.recordings, "first");
+    const auto recording = game::read_recording(options.watch);
+    ASSERT_TRUE(recording) << recording.error().text;
+    options.watch_from = 0.75;
+    open();
+    ASSERT_NE(theatre->run(), nullptr);
+    ASSERT_TRUE(theatre->run()->is_watched());
+    const auto expect_from = [&](std::uint64_t least) {
+        EXPECT_GE(game().ticks(), least);
+        EXPECT_LE(game().ticks(), least + 2);
+        const auto whole = *game::Game::start(game().level_pointer());
+        game::Player player(*recording);
+        while (player.ticks() < game().ticks()) ASSERT_TRUE(player.tick(*whole));
+        EXPECT_EQ(whole->hash(), game().hash());
+    };
+    expect_from(45);
+    seconds(3.5);
+    ASSERT_TRUE(is_on(ScreenId::replay_end));
+    EXPECT_EQ(game().outcome(), game::Outcome::won);
+    choose("Watch it again");
+    expect_from(45);
+}
+
 // The defect: it began again whenever one left it, so that there was no way to the menu.
 TEST_F(TheatreTest, begins_a_named_level_at_once_and_only_once) {
     options.level = "second";
