@@ -26,7 +26,8 @@ Navigator::Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions&
       foresight_(std::move(foresight)),
       hands_(options.seed * 3 + 1),
       dice_(options.seed * 7 + 5),
-      follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}) {}
+      follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}),
+      caution_(std::shared_ptr<const game::Level>(atlas_, &atlas_->level())) {}
 
 Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas> atlas,
                                                      const NavigatorOptions& options) {
@@ -98,13 +99,14 @@ game::HeroInput Navigator::decide(const game::Game& game) {
         switch (phase_) {
             case Phase::thinks:
                 intent = find_back(game);
+                if (caution_.is_busy() || game.hero().body.footing == Footing::ground) intent = mind(game, intent);
                 break;
             case Phase::walks:
                 intent = walk(game);
-                dodge(game, intent);
+                intent = mind(game, intent);
                 break;
             case Phase::waits:
-                intent = wait(game);
+                intent = mind(game, wait(game));
                 break;
             case Phase::hops:
                 intent = hop(game);
@@ -126,6 +128,7 @@ void Navigator::notice(const game::Game& game) {
             case game::Happening::respawned:
             case game::Happening::lost:
                 if (phase_ == Phase::hops || phase_ == Phase::waits || phase_ == Phase::manoeuvres) fail(game);
+                caution_.forget();
                 phase_ = Phase::thinks;
                 pause_ = reaction + dice_.whole(0, 12);
                 break;
@@ -283,20 +286,20 @@ Intent Navigator::find_back(const game::Game& game) {
     return intent;
 }
 
-// Jumps over, or on, whoever comes near.
-void Navigator::dodge(const game::Game& game, Intent& intent) {
-    bool near = false;
-    for (const game::Enemy& enemy : game.enemies()) {
-        const dvec3 way = enemy.body.position - game.hero().body.position;
-        const dvec3 closing = flat(enemy.body.velocity - game.hero().body.velocity);
-        if (std::abs(way.y) < 1.5 && flat_length(way) < 3 && dot(unit(flat(way)), closing) < -1) near = true;
-    }
-    const bool reacts = enemy_near_.after(near, dice_);
-    if (reacts && jump_for_ == 0 && game.hero().body.footing == Footing::ground && !follower_.on_link()) jump_for_ = 20;
-    if (jump_for_ > 0) {
-        --jump_for_;
-        intent.jump = true;
-    }
+// Past what moves and harms, on foot and where it waits.
+Intent Navigator::mind(const game::Game& game, const Intent& intent) {
+    const bool in_air = game.hero().body.footing == Footing::air;
+    if (phase_ == Phase::walks && !(follower_.on_link() && in_air))
+        return caution_.mind(game, *foresight_, intent, [&]() -> Caution::Steering {
+            return [this, follower = follower_, &game](const game::Hero& hero) mutable {
+                const CharacterInput told =
+                    follower.input(passages_.query(), hero.body, game.settings(), game::tick_seconds);
+                return Intent{.move = flat(told.wish) / game::run_speed, .jump = told.jump, .crouch = told.crouch};
+            };
+        });
+    if (phase_ == Phase::waits || phase_ == Phase::thinks)
+        return caution_.mind(game, *foresight_, intent, [] { return [](const game::Hero&) { return Intent{}; }; });
+    return intent;
 }
 
 }  // namespace surefoot::playtest

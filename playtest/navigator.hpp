@@ -9,6 +9,7 @@
 #include <surefoot/navigation_follow.hpp>
 
 #include "playtest/bot.hpp"
+#include "playtest/caution.hpp"
 #include "playtest/foresight.hpp"
 #include "playtest/hop.hpp"
 #include "playtest/manoeuvre.hpp"
@@ -57,7 +58,7 @@ private:
     [[nodiscard]] Intent manoeuvre(const game::Game& game);
     [[nodiscard]] Intent find_back(const game::Game& game);
     [[nodiscard]] Intent save_oneself(const game::Game& game);
-    void dodge(const game::Game& game, Intent& intent);
+    [[nodiscard]] Intent mind(const game::Game& game, const Intent& intent);
     void fail(const game::Game& game);
     void try_to_hop(const game::Game& game);
     void avoid_what_comes(const game::Game& game, std::uint32_t body);
@@ -84,7 +85,7 @@ private:
     Hop hop_;
     Stand hop_to_;
     Manoeuvring manoeuvring_;
-    Reaction enemy_near_;
+    Caution caution_;
     std::map<std::uint32_t, int> failures_;         ///< of passages
     std::map<std::uint32_t, int> pickup_failures_;  ///< of pickups that it went for
     std::map<std::uint32_t, int> checkpoint_tries_;
@@ -94,7 +95,6 @@ private:
     int phase_ticks_ = 0;
     int stands_for_ = 0;  ///< ticks on what it hopped to
     int style_turn_ = 0;
-    int jump_for_ = 0;  ///< over an enemy [ticks]
     int save_for_ = 0;  ///< a jump in the air [ticks]
     int wet_for_ = 0;   ///< ticks under water on what was to be a walk
     int think_in_ = 0;  ///< ticks until it plans again

@@ -14,6 +14,7 @@ constexpr int between_tries = 8;          // ticks
 constexpr int longest_wait = 60 * 30;     // ticks
 constexpr int longest_hop = 60 * 4;       // ticks
 constexpr double longest_manoeuvre = 25;  // s
+constexpr int longest_fear = 60 * 8;      // ticks; then it hops in spite of whoever hunts or shoots
 constexpr int hops_kept = 3;              // styles that are rehearsed at a time
 
 bool holds_crouch(game::Manoeuvre how) {
@@ -207,8 +208,14 @@ bool Navigator::is_on(const game::Hero& hero, const dvec3& feet, const Stand& to
 
 bool Navigator::goes_well(const game::Game& game, const HopStyle& style, const Stand& to) {
     const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
+    const bool runs_for_it = waited_ > longest_fear;
     return rehearse(
-        *foresight_, [&] { foresight_->look(game); }, game.settings(), spots_of(to), style, to, throws);
+        *foresight_,
+        [&] {
+            foresight_->look(game);
+            if (runs_for_it) foresight_->ignore_threats();
+        },
+        game.settings(), spots_of(to), style, to, throws);
 }
 
 void Navigator::try_to_hop(const game::Game& game) {
@@ -246,9 +253,11 @@ void Navigator::try_to_hop(const game::Game& game) {
         return;
     }
     style_turn_ += hops_kept;
+    foresight_->look(game);
+    // Whoever hunts or shoots goes away again, or it runs for it in the end.
+    if (foresight_->threats().are_any() && waited_ <= longest_fear) style_turn_ %= count;
     // Nothing changes by itself where nothing moves: from another place, then.
     if (still && style_turn_ > 2 * count + hops_kept) fail(game);
-    foresight_->look(game);
 }
 
 // Something still will be where it is carried to: over it with a jump, and down on the same body again.
