@@ -10,9 +10,10 @@ namespace surefoot::game {
 namespace {
 
 // magic, checksum of the rest, length of the header, header (JSON), inputs in runs of equal ones, hashes.
-constexpr std::string_view magic = "SFRUN\x01\r\n";
-constexpr std::uint64_t hash_every = 60;             // ticks
-constexpr std::uint64_t most_ticks = 60 * 60 * 600;  // ten hours
+constexpr std::string_view magic = "SFRUN\x02\r\n";
+constexpr std::string_view magic_1 = "SFRUN\x01\r\n";  // which knew no checkpoint in its header
+constexpr std::uint64_t hash_every = 60;               // ticks
+constexpr std::uint64_t most_ticks = 60 * 60 * 600;    // ten hours
 
 template <typename T>
 void put(std::string& bytes, const T& value) {
@@ -43,10 +44,11 @@ std::uint64_t checksum(std::string_view bytes) {
 
 }  // namespace
 
-Recorder::Recorder(const Level& level, std::string player) {
+Recorder::Recorder(const Level& level, std::string player, std::uint32_t checkpoint) {
     recording_.level = level.id;
     recording_.level_hash = level.hash;
     recording_.player = std::move(player);
+    recording_.checkpoint = checkpoint;
 }
 
 void Recorder::tick(const HeroInput& input, const Game& game) {
@@ -58,6 +60,16 @@ void Recorder::tick(const HeroInput& input, const Game& game) {
 
 void Recorder::decide(RunDecision::Kind kind) {
     recording_.decisions.push_back({kind, recording_.inputs.size()});
+}
+
+Expected<std::unique_ptr<Game>> start_of(const std::shared_ptr<const Level>& level, const Recording& recording) {
+    if (recording.level_hash != level->hash)
+        return tl::unexpected(Error{ErrorCode::invalid,
+                                    "the recording was made on another version of the level " + recording.level +
+                                        ": it cannot be played on this one",
+                                    {},
+                                    0});
+    return Game::start(level, {.checkpoint = recording.checkpoint});
 }
 
 bool Player::tick(Game& game) {
@@ -81,10 +93,15 @@ Expected<void> write_recording(const std::string& path, const Recording& recordi
     nlohmann::json decisions = nlohmann::json::array();
     for (const RunDecision& decision : recording.decisions)
         decisions.push_back({{"give_up", decision.kind == RunDecision::Kind::give_up}, {"tick", decision.tick}});
-    const nlohmann::json header{{"level", recording.level},          {"level_hash", recording.level_hash},
-                                {"player", recording.player},        {"ticks", recording.inputs.size()},
-                                {"hashes", recording.hashes.size()}, {"won", recording.won},
-                                {"seconds", recording.seconds},      {"decisions", decisions}};
+    const nlohmann::json header{{"level", recording.level},
+                                {"level_hash", recording.level_hash},
+                                {"player", recording.player},
+                                {"checkpoint", recording.checkpoint},
+                                {"ticks", recording.inputs.size()},
+                                {"hashes", recording.hashes.size()},
+                                {"won", recording.won},
+                                {"seconds", recording.seconds},
+                                {"decisions", decisions}};
     const std::string words = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::string body;
     put(body, std::uint32_t(words.size()));
@@ -111,7 +128,8 @@ Expected<Recording> read_recording(const std::string& path) {
     };
     const std::string damaged = "the recording is damaged; record the run again";
     if (bytes->substr(0, 5) != magic.substr(0, 5)) return fail(ErrorCode::unreadable, "this is no recording of a run");
-    if (bytes->substr(0, magic.size()) != magic)
+    const bool is_first = bytes->substr(0, magic_1.size()) == magic_1;
+    if (!is_first && bytes->substr(0, magic.size()) != magic)
         return fail(ErrorCode::unsupported, "this recording is of another version; record the run again");
     at.left.remove_prefix(magic.size());
     if (at.take<std::uint64_t>() != checksum(at.left) || !at.good) return fail(ErrorCode::unreadable, damaged);
@@ -126,6 +144,7 @@ Expected<Recording> read_recording(const std::string& path) {
         made.level = header.at("level").get<std::string>();
         made.level_hash = header.at("level_hash").get<std::uint64_t>();
         made.player = header.at("player").get<std::string>();
+        if (!is_first) made.checkpoint = header.at("checkpoint").get<std::uint32_t>();
         made.won = header.at("won").get<bool>();
         made.seconds = header.at("seconds").get<double>();
         ticks = header.at("ticks").get<std::uint64_t>();
