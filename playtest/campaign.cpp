@@ -15,6 +15,7 @@ namespace surefoot::playtest {
 namespace {
 
 constexpr int most_runs = 100;  // of one explorer in a section at a time: who begins beside the next is there at once
+constexpr double shortest_round = 120;   // of a collector from one checkpoint [s]
 constexpr double enough_to_judge = 300;  // of explorers, where deaths are [s]
 constexpr double shortest_stay = 20;     // of an explorer in a section, in a short campaign [s]
 
@@ -52,13 +53,18 @@ private:
 
     [[nodiscard]] Expected<std::unique_ptr<Bot>> make(int bot, std::uint64_t seed) const {
         if (bot % 2 == 1) return std::make_unique<Explorer>(seed);
-        // Every other navigator takes what lies about: where nobody gets to a coin, somebody tried.
-        auto made = Navigator::make(atlas_, {.seed = seed, .collects = bot % 4 == 2});
+        auto made = Navigator::make(atlas_, {.seed = seed, .collects = collects(bot)});
         if (!made) return tl::unexpected(made.error());
         return std::unique_ptr<Bot>(std::move(*made));
     }
 
-    [[nodiscard]] Expected<void> play_one(int bot) { return bot % 2 == 1 ? explore(bot) : navigate(bot); }
+    [[nodiscard]] Expected<void> play_one(int bot) {
+        if (bot % 2 == 1) return explore(bot);
+        return collects(bot) ? collect(bot) : navigate(bot);
+    }
+
+    // Every other navigator takes what lies about: where nobody gets to a coin, somebody tried.
+    [[nodiscard]] static bool collects(int bot) { return bot % 4 == 2; }
 
     [[nodiscard]] Expected<void> navigate(int bot) {
         const double share = options_.hours * 3600 / options_.bots;
@@ -67,6 +73,23 @@ private:
             const auto seconds = play_once(bot, turn, {.most_seconds = options_.longest_run});
             if (!seconds) return tl::unexpected(seconds.error());
             if (*seconds == 0) break;  // it gave up before it began
+            played += *seconds;
+        }
+        return {};
+    }
+
+    // From the spawn, and then from every checkpoint in turn: what hangs late in a level is gone for, too.
+    [[nodiscard]] Expected<void> collect(int bot) {
+        const double share = options_.hours * 3600 / options_.bots;
+        const auto sections = std::uint64_t(level_->checkpoints.size());
+        const double longest =
+            std::clamp(share / double(sections), std::min(shortest_round, options_.longest_run), options_.longest_run);
+        double played = 0;
+        for (std::uint64_t turn = 0; turn == 0 || played < share; ++turn) {
+            const auto begins_at = std::uint32_t((turn + std::uint64_t(bot / 4) * (sections / 2)) % sections);
+            const auto seconds = play_once(bot, turn, {.most_seconds = longest, .checkpoint = begins_at});
+            if (!seconds) return tl::unexpected(seconds.error());
+            if (*seconds == 0) break;
             played += *seconds;
         }
         return {};

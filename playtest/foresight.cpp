@@ -16,6 +16,15 @@ constexpr double stomp_bounce = 8;  // m/s
 
 }  // namespace
 
+std::vector<double> clocks_of(const game::BodyPlan& plan) {
+    constexpr int samples = 32;
+    double round = game::round_time(plan.route);
+    if (round == 0 && plan.route.deg_per_s != 0) round = 360 / std::abs(plan.route.deg_per_s);
+    std::vector<double> clocks{0};
+    for (int i = 1; i < samples && round > 0; ++i) clocks.push_back(round * i / samples);
+    return clocks;
+}
+
 Pose pose_at(const game::BodyPlan& plan, double clock) {
     Pose pose{plan.origin + game::place_on(plan.route, clock), {1, 0, 0, 0}};
     if (plan.route.deg_per_s != 0) {

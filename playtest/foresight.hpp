@@ -72,6 +72,9 @@ private:
     bool has_harm_ = false;
 };
 
+/// Moments all through a round of its route, or its one moment [s].
+[[nodiscard]] std::vector<double> clocks_of(const game::BodyPlan& plan);
+
 /// Where one of the level's bodies is after `clock` seconds of its route.
 [[nodiscard]] Pose pose_at(const game::BodyPlan& plan, double clock);
 

@@ -114,6 +114,10 @@ game::HeroInput Navigator::decide(const game::Game& game) {
             case Phase::manoeuvres:
                 intent = manoeuvre(game);
                 break;
+            case Phase::catches:
+                intent = catch_it(game);
+                if (!catch_end_) intent = mind(game, intent);
+                break;
         }
     }
     return hands_.act(intent);
@@ -166,12 +170,13 @@ void Navigator::notice(const game::Game& game) {
                 break;
         }
     }
-    if (target_pickup_ && std::ranges::none_of(game.pickups(), [&](const game::Pickup& pickup) {
+    const bool flies = phase_ == Phase::catches && catch_end_;  // it comes down first
+    if (target_pickup_ && !flies && std::ranges::none_of(game.pickups(), [&](const game::Pickup& pickup) {
             return pickup.plan == *target_pickup_;
         })) {
         target_pickup_.reset();
         since_better_ = 0;
-        if (phase_ == Phase::walks) phase_ = Phase::thinks;
+        if (phase_ == Phase::walks || phase_ == Phase::catches) phase_ = Phase::thinks;
     }
 }
 
@@ -232,23 +237,26 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         const bool wanted =
             options_.collects ? plan.kind != game::PickupKind::heart
                               : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
-        const int most = plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin;
-        if (!wanted || pickup_failures_[pickup.plan] >= most) continue;
+        if (!wanted) continue;
         const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
         if (far >= nearest) continue;
-        const auto at = passages_.stand_at(plan.place - dvec3{0, 0.8, 0}, 0.8, 1.4);
+        const auto at = stand_for(pickup.plan);
         if (!at || !passages_.route(from, *at, banned_)) continue;
         nearest = far;
         best = pickup.plan;
     }
     if (best) {
+        const auto at = stand_for(*best);
         target_pickup_ = best;
+        target_catch_ = options_.collects ? next_catch(*best) : nullptr;
         ++pickup_failures_[*best];
+        // So often it may try, however far it gets.
+        if (target_catch_ != nullptr) since_better_ = std::min(since_better_, options_.patience / 2);
         doing_ = fmt::format("goes for a {}", game::name_of(level.pickups[*best].kind));
-        const auto at = passages_.stand_at(level.pickups[*best].place - dvec3{0, 0.8, 0}, 0.8, 1.4);
         return at && plan_to(from, *at);
     }
     target_pickup_.reset();
+    target_catch_ = nullptr;
     // By way of the next checkpoint: whoever cuts corners begins anew from far back.
     if (reaches)
         for (std::uint32_t i = game.checkpoint() + 1; i < level.checkpoints.size(); ++i) {
@@ -261,6 +269,16 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         }
     doing_ = "goes for the goal";
     return reaches && plan_to(from, *goal);
+}
+
+// Where to go for the next try to take it; nothing if it has tried often enough.
+std::optional<Stand> Navigator::stand_for(std::uint32_t pickup) {
+    const game::PickupPlan& plan = atlas_->level().pickups[pickup];
+    if (options_.collects)
+        if (const Catch* const how = next_catch(pickup)) return how->from;
+    if (pickup_failures_[pickup] >= (plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin))
+        return std::nullopt;
+    return passages_.stand_at(plan.place - dvec3{0, catch_height, 0}, 0.8, 1.4);
 }
 
 void Navigator::fail(const game::Game&) {

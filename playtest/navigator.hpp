@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::uint64_t presses() const { return hands_.presses(); }
 
 private:
-    enum class Phase : std::uint8_t { thinks, walks, waits, hops, manoeuvres };
+    enum class Phase : std::uint8_t { thinks, walks, waits, hops, manoeuvres, catches };
 
     Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions& options, Passages passages,
               std::unique_ptr<Foresight> foresight);
@@ -56,6 +56,14 @@ private:
     [[nodiscard]] Intent stay_on_body(const game::Game& game) const;
     [[nodiscard]] Intent hop(const game::Game& game);
     [[nodiscard]] Intent manoeuvre(const game::Game& game);
+    [[nodiscard]] Intent catch_it(const game::Game& game);
+    [[nodiscard]] Intent fly_to_catch(const game::Game& game, const dvec3& place);
+    [[nodiscard]] bool catch_goes_well(const game::Game& game, const HopStyle& style, const dvec3& place,
+                                       const Stand& end);
+    [[nodiscard]] const Catch* next_catch(std::uint32_t pickup);
+    [[nodiscard]] std::optional<Stand> stand_for(std::uint32_t pickup);
+    void begin_catch();
+    [[nodiscard]] bool leads_on(const Stand& from) const;
     [[nodiscard]] Intent find_back(const game::Game& game);
     [[nodiscard]] Intent save_oneself(const game::Game& game);
     [[nodiscard]] Intent mind(const game::Game& game, const Intent& intent);
@@ -79,8 +87,11 @@ private:
 
     Phase phase_ = Phase::thinks;
     std::optional<Stand> target_;
-    std::optional<std::uint32_t> target_pickup_;  ///< of `Level::pickups`
-    std::vector<std::uint32_t> plan_;             ///< passages
+    std::optional<std::uint32_t> target_pickup_;           ///< of `Level::pickups`
+    const Catch* target_catch_ = nullptr;                  ///< how it is taken, if it is not walked to
+    std::optional<Stand> catch_end_;                       ///< where it comes down, once it has jumped
+    std::map<std::uint32_t, std::vector<Catch>> catches_;  ///< of pickups, as far as they were asked for
+    std::vector<std::uint32_t> plan_;                      ///< passages
     std::size_t step_ = 0;
     Hop hop_;
     Stand hop_to_;

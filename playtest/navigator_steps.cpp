@@ -28,6 +28,10 @@ void Navigator::next_step(const game::Game& game) {
     waited_ = 0;
     stands_for_ = 0;
     style_turn_ = 0;
+    if (step_ >= plan_.size() && target_catch_ != nullptr && target_->body != on_ground) {
+        begin_catch();
+        return;
+    }
     if (step_ >= plan_.size()) {
         follower_.stop();
         follower_.go(passages_.query(), target_->place);
@@ -77,6 +81,9 @@ Intent Navigator::walk(const game::Game& game) {
                 }
                 return {};
             }
+        } else if (target_catch_ != nullptr) {
+            begin_catch();
+            return {};
         } else if (target_pickup_ && phase_ticks_ % 60 < 20) {
             Intent intent;  // it hangs a little higher than one reaches
             intent.move = flat(atlas_->level().pickups[*target_pickup_].place - game.feet());
