@@ -8,8 +8,8 @@
 namespace surefoot::playtest {
 namespace {
 
-constexpr int horizon = 78;       // ticks that it looks ahead
-constexpr int between_looks = 6;  // ticks
+constexpr int horizon = 66;       // ticks that it looks ahead
+constexpr int between_looks = 8;  // ticks
 constexpr int course_takes = 40;  // ticks; then it goes on
 constexpr int jump_held = 20;     // ticks
 constexpr int directions = 8;
@@ -30,8 +30,8 @@ const Foe* foe_of(const Foresight& foresight, const Course& course) {
 
 }  // namespace
 
-Caution::Caution(std::shared_ptr<const game::Level> level)
-    : level_(std::move(level)), gravity_(game::hero_settings(level_->rules).gravity) {}
+Caution::Caution(std::shared_ptr<const game::Level> level, std::uint64_t seed)
+    : level_(std::move(level)), gravity_(game::hero_settings(level_->rules).gravity), dice_(seed) {}
 
 void Caution::forget() {
     course_ = {};
@@ -175,7 +175,7 @@ Course Caution::choose(const game::Game& game, Foresight& foresight, const dvec3
 Intent Caution::mind(const game::Game& game, Foresight& foresight, const Intent& intent,
                      const std::function<Steering()>& steering) {
     const bool in_air = game.hero().body.footing == Footing::air;
-    if (!is_near_anything(game)) {
+    if (!notices_.after(is_near_anything(game), dice_)) {
         if (!(in_air && is_busy())) forget();
         if (!is_busy()) return intent;
     }

@@ -25,7 +25,7 @@ public:
     /// How it would go on from where it is, tick by tick.
     using Steering = std::function<Intent(const game::Hero&)>;
 
-    explicit Caution(std::shared_ptr<const game::Level> level);
+    Caution(std::shared_ptr<const game::Level> level, std::uint64_t seed);
 
     /// What to do instead of `intent`, if anything. `steering` makes a fresh copy of how it would go on; `holds`: to
     /// stay where it is is what it wants.
@@ -56,6 +56,8 @@ private:
 
     std::shared_ptr<const game::Level> level_;
     double gravity_;  ///< [m/s²]
+    Dice dice_;
+    Reaction notices_;
     Course course_;
     int at_ = 0;        ///< ticks on this course
     int look_in_ = 0;   ///< ticks until it looks again

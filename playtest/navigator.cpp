@@ -27,7 +27,7 @@ Navigator::Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions&
       hands_(options.seed * 3 + 1),
       dice_(options.seed * 7 + 5),
       follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}),
-      caution_(std::shared_ptr<const game::Level>(atlas_, &atlas_->level())) {}
+      caution_(std::shared_ptr<const game::Level>(atlas_, &atlas_->level()), options.seed * 13 + 9) {}
 
 Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas> atlas,
                                                      const NavigatorOptions& options) {

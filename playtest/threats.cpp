@@ -21,13 +21,13 @@ constexpr double shot_speed = 11;     // m/s
 constexpr double shot_life = 4;       // s
 constexpr double shot_radius = 0.12;  // m
 
-constexpr double comes_near = 16;   // who is farther from the hero is of no concern yet [m]
-constexpr double seen_after = 0.1;  // nobody dodges a shot that has only just been fired [s]
-constexpr double room = 0.12;       // that is kept from whoever harms [m]
-constexpr double shot_room = 0.3;   // and from shots
-constexpr double ledge = 1.2;       // who walks does not step down farther [m]
-constexpr double steps_within = 6;  // of the hero, it is moved as it will be, and not only roughly [m]
-constexpr int between_looks = 12;   // ticks
+constexpr double comes_near = 16;    // who is farther from the hero is of no concern yet [m]
+constexpr double seen_after = 0.15;  // nobody dodges a shot that has only just been fired [s]
+constexpr double room = 0.12;        // that is kept from whoever harms [m]
+constexpr double shot_room = 0.3;    // and from shots
+constexpr double ledge = 1.2;        // who walks does not step down farther [m]
+constexpr double steps_within = 6;   // of the hero, it is moved as it will be, and not only roughly [m]
+constexpr int between_looks = 12;    // ticks
 
 double speed_of(game::EnemyKind kind, bool hunts) {
     if (kind == game::EnemyKind::chaser) return hunts ? 4.6 : 2.5;
