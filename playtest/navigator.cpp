@@ -13,6 +13,7 @@ namespace {
 constexpr int failures_until_banned = 4;
 constexpr int tries_for_key = 40;
 constexpr int tries_for_coin = 2;
+constexpr int thoughts_a_try = 4;  // at most
 constexpr int reaction = 9;        // ticks
 constexpr int between_plans = 20;  // that found no way [ticks]
 
@@ -238,7 +239,8 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
             options_.collects ? plan.kind != game::PickupKind::heart
                               : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
         if (!wanted) continue;
-        const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
+        const double far =
+            length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key && !options_.collects ? -1000 : 0);
         if (far >= nearest) continue;
         const auto at = stand_for(pickup.plan);
         if (!at || !passages_.route(from, *at, banned_)) continue;
@@ -247,9 +249,11 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
     }
     if (best) {
         const auto at = stand_for(*best);
+        // Who only thought again on the way there has not tried yet.
+        thoughts_ = target_pickup_ == best ? thoughts_ + 1 : 0;
         target_pickup_ = best;
         target_catch_ = options_.collects ? next_catch(*best) : nullptr;
-        ++pickup_failures_[*best];
+        if (thoughts_ % thoughts_a_try == 0) ++pickup_failures_[*best];
         // So often it may try, however far it gets.
         if (target_catch_ != nullptr) since_better_ = std::min(since_better_, options_.patience / 2);
         doing_ = fmt::format("goes for a {}", game::name_of(level.pickups[*best].kind));

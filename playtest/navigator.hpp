@@ -109,6 +109,7 @@ private:
     int save_for_ = 0;  ///< a jump in the air [ticks]
     int wet_for_ = 0;   ///< ticks under water on what was to be a walk
     int think_in_ = 0;  ///< ticks until it plans again
+    int thoughts_ = 0;  ///< of going for the same pickup, one after the other
     int lost_for_ = 0;  ///< ticks without ground of the mesh
     double best_left_ = 1e300;
     double since_better_ = 0;

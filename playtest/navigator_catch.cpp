@@ -54,6 +54,7 @@ Intent Navigator::catch_it(const game::Game& game) {
     if (catch_end_) return fly_to_catch(game, place);
     Intent intent = how.from.body == on_ground ? Intent{} : stay_on_body(game);
     if (++waited_ > longest_wait || (how.from.body == on_ground && style_turn_ > 24)) {
+        thoughts_ = -1;  // that was a try
         phase_ = Phase::thinks;
         return {};
     }
@@ -91,6 +92,7 @@ Intent Navigator::fly_to_catch(const game::Game& game, const dvec3& place) {
     const bool stands = hop_.is_under_way() && game.hero().body.footing == Footing::ground;
     stands_for_ = stands ? stands_for_ + 1 : 0;
     if (stands_for_ > steady || phase_ticks_ > longest_flight) {
+        thoughts_ = -1;
         phase_ = Phase::thinks;
         return {};
     }
