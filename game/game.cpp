@@ -9,9 +9,14 @@
 
 namespace surefoot::game {
 
-Expected<std::unique_ptr<Game>> Game::start(std::shared_ptr<const Level> level, const std::atomic<bool>* stop) {
+Expected<std::unique_ptr<Game>> Game::start(std::shared_ptr<const Level> level, const GameStart& how) {
+    if (how.checkpoint >= level->checkpoints.size())
+        return tl::unexpected(
+            Error{ErrorCode::invalid, level->id + " has no checkpoint of this number", level->file, 0});
     std::unique_ptr<Game> game(new Game(std::move(level)));
-    if (auto built = game->build(stop); !built) return tl::unexpected(built.error());
+    game->begun_at_ = how.checkpoint;
+    game->checkpoint_ = how.checkpoint;
+    if (auto built = game->build(how.stop); !built) return tl::unexpected(built.error());
     return game;
 }
 

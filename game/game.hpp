@@ -27,13 +27,20 @@ enum class Outcome : std::uint8_t {
     lost,  ///< no health is left, or no time; `Game::retry` goes on from the checkpoint
 };
 
+struct GameStart {
+    /// Where the hero begins, of `Level::checkpoints`; nothing before it was done or taken.
+    std::uint32_t checkpoint = 0;
+    /// Once it is true, a start that takes long ends soon and fails with `invalid`; null: nobody stops it.
+    const std::atomic<bool>* stop = nullptr;
+};
+
 /// Threads: one at a time. Memory: made at the start; `tick` allocates only where enemies plan their ways.
 class Game {
 public:
-    /// Fails as `World::add` does. The first start of a level with enemies who jump takes seconds: their ways are
-    /// looked for, and kept for the next time. Once `stop` is true, that ends soon and the start fails with `invalid`.
+    /// Fails as `World::add` does, and with `invalid` for a checkpoint that the level does not have. The first start of
+    /// a level with enemies who jump takes seconds: their ways are looked for, and kept for the next time.
     [[nodiscard]] static Expected<std::unique_ptr<Game>> start(std::shared_ptr<const Level> level,
-                                                               const std::atomic<bool>* stop = nullptr);
+                                                               const GameStart& how = {});
     ~Game();
     Game(const Game&) = delete;
     Game& operator=(const Game&) = delete;
@@ -72,6 +79,7 @@ public:
     [[nodiscard]] bool has_star(std::uint32_t plan) const;  ///< of `Level::pickups`
     [[nodiscard]] const std::vector<std::string>& keys() const { return keys_; }
     [[nodiscard]] std::uint32_t checkpoint() const { return checkpoint_; }  ///< of `Level::checkpoints`
+    [[nodiscard]] std::uint32_t begun_at() const { return begun_at_; }      ///< the checkpoint at which it was started
     [[nodiscard]] std::uint32_t deaths() const { return deaths_; }          ///< hearts lost by falls and games lost
     [[nodiscard]] const Prompt* prompt() const;                             ///< of the zone the hero stands in
 
@@ -125,6 +133,7 @@ private:
     std::uint64_t ticks_ = 0;
     int coins_ = 0;
     int stars_ = 0;
+    std::uint32_t begun_at_ = 0;
     std::uint32_t checkpoint_ = 0;
     std::uint32_t deaths_ = 0;
 };

@@ -30,7 +30,7 @@ bool Progress::add(const Game& game) {
     LevelProgress& progress = levels[level.id];
     ++progress.runs;
     progress.deaths += game.deaths();
-    if (game.outcome() != Outcome::won) return false;
+    if (game.outcome() != Outcome::won || game.begun_at() != 0) return false;
     std::uint32_t order = 0;
     for (std::uint32_t plan = 0; plan < level.pickups.size(); ++plan) {
         if (level.pickups[plan].kind != PickupKind::star) continue;

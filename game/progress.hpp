@@ -29,7 +29,8 @@ struct Progress {
     /// The first level is open; each next when the one before it is won; a secret one by its stars. `all` is in the
     /// order of playing.
     [[nodiscard]] bool is_open(const Level& level, std::span<const Level* const> all) const;
-    /// A game is over, or left. Returns whether its time is a new best.
+    /// A game is over, or left. Returns whether its time is a new best. One that was started at a checkpoint wins
+    /// nothing.
     bool add(const Game& game);
 };
 

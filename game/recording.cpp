@@ -14,8 +14,9 @@ namespace {
 // magic, checksum of the rest, length of the header, header (JSON), length of what is packed, inputs in runs of equal
 // ones, packed, hashes.
 constexpr std::string_view magic = "SFRUN\x02\r\n";
-constexpr std::uint64_t hash_every = 60;             // ticks
-constexpr std::uint64_t most_ticks = 60 * 60 * 600;  // ten hours
+constexpr std::string_view magic_1 = "SFRUN\x01\r\n";  // without a checkpoint in its header, and with nothing packed
+constexpr std::uint64_t hash_every = 60;               // ticks
+constexpr std::uint64_t most_ticks = 60 * 60 * 600;    // ten hours
 
 template <typename T>
 void put(std::string& bytes, const T& value) {
@@ -81,12 +82,23 @@ std::optional<std::string> unpacked(std::string_view bytes, std::size_t count) {
     return rows;
 }
 
+// Inputs until there are as many as ticks; `at.good` is false where they are no such rows.
+void take_rows(Bytes& at, std::uint64_t ticks, std::vector<HeroInput>& inputs) {
+    while (at.good && inputs.size() < ticks) {
+        const auto same = at.take<std::uint32_t>();
+        const auto input = at.take<HeroInput>();
+        if (same == 0 || same > ticks - inputs.size()) at.good = false;
+        if (at.good) inputs.insert(inputs.end(), same, input);
+    }
+}
+
 }  // namespace
 
-Recorder::Recorder(const Level& level, std::string player) {
+Recorder::Recorder(const Level& level, std::string player, std::uint32_t checkpoint) {
     recording_.level = level.id;
     recording_.level_hash = level.hash;
     recording_.player = std::move(player);
+    recording_.checkpoint = checkpoint;
 }
 
 void Recorder::tick(const HeroInput& input, const Game& game) {
@@ -98,6 +110,16 @@ void Recorder::tick(const HeroInput& input, const Game& game) {
 
 void Recorder::decide(RunDecision::Kind kind) {
     recording_.decisions.push_back({kind, recording_.inputs.size()});
+}
+
+Expected<std::unique_ptr<Game>> start_of(const std::shared_ptr<const Level>& level, const Recording& recording) {
+    if (recording.level_hash != level->hash)
+        return tl::unexpected(Error{ErrorCode::invalid,
+                                    "the recording was made on another version of the level " + recording.level +
+                                        ": it cannot be played on this one",
+                                    {},
+                                    0});
+    return Game::start(level, {.checkpoint = recording.checkpoint});
 }
 
 bool Player::tick(Game& game) {
@@ -130,7 +152,8 @@ std::string to_bytes(const Recording& recording) {
         i += same;
     }
     const nlohmann::json header{{"level", recording.level},       {"level_hash", recording.level_hash},
-                                {"player", recording.player},     {"ticks", recording.inputs.size()},
+                                {"player", recording.player},     {"checkpoint", recording.checkpoint},
+                                {"ticks", recording.inputs.size()},
                                 {"rows", rows.size() / row_size}, {"hashes", recording.hashes.size()},
                                 {"won", recording.won},           {"seconds", recording.seconds},
                                 {"decisions", decisions}};
@@ -158,7 +181,8 @@ Expected<Recording> recording_of(std::string_view bytes, const std::string& path
     };
     const std::string damaged = "the recording is damaged; record the run again";
     if (bytes.substr(0, 5) != magic.substr(0, 5)) return fail(ErrorCode::unreadable, "this is no recording of a run");
-    if (bytes.substr(0, magic.size()) != magic)
+    const bool is_first = bytes.substr(0, magic_1.size()) == magic_1;
+    if (!is_first && bytes.substr(0, magic.size()) != magic)
         return fail(ErrorCode::unsupported, "this recording is of another version; record the run again");
     at.left.remove_prefix(magic.size());
     if (at.take<std::uint64_t>() != checksum(at.left) || !at.good) return fail(ErrorCode::unreadable, damaged);
@@ -174,10 +198,11 @@ Expected<Recording> recording_of(std::string_view bytes, const std::string& path
         made.level = header.at("level").get<std::string>();
         made.level_hash = header.at("level_hash").get<std::uint64_t>();
         made.player = header.at("player").get<std::string>();
+        if (!is_first) made.checkpoint = header.at("checkpoint").get<std::uint32_t>();
         made.won = header.at("won").get<bool>();
         made.seconds = header.at("seconds").get<double>();
         ticks = header.at("ticks").get<std::uint64_t>();
-        rows = header.at("rows").get<std::uint64_t>();
+        if (!is_first) rows = header.at("rows").get<std::uint64_t>();
         hashes = header.at("hashes").get<std::uint64_t>();
         for (const auto& decision : header.at("decisions"))
             made.decisions.push_back(
@@ -186,20 +211,20 @@ Expected<Recording> recording_of(std::string_view bytes, const std::string& path
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::unreadable, damaged);
     }
-    const auto size = at.take<std::uint32_t>();
-    if (ticks > most_ticks || rows > ticks || hashes > ticks || !at.good || size > at.left.size())
-        return fail(ErrorCode::unreadable, damaged);
-    const auto inputs = unpacked(at.left.substr(0, size), std::size_t(rows));
-    if (!inputs) return fail(ErrorCode::unreadable, damaged);
-    at.left.remove_prefix(size);
-    Bytes row{*inputs};
-    while (row.good && !row.left.empty()) {
-        const auto same = row.take<std::uint32_t>();
-        const auto input = row.take<HeroInput>();
-        if (same == 0 || same > ticks - made.inputs.size()) row.good = false;
-        if (row.good) made.inputs.insert(made.inputs.end(), same, input);
+    if (ticks > most_ticks || rows > ticks || hashes > ticks) return fail(ErrorCode::unreadable, damaged);
+    if (is_first) {
+        take_rows(at, ticks, made.inputs);
+    } else {
+        const auto size = at.take<std::uint32_t>();
+        if (!at.good || size > at.left.size()) return fail(ErrorCode::unreadable, damaged);
+        const auto inputs = unpacked(at.left.substr(0, size), std::size_t(rows));
+        if (!inputs) return fail(ErrorCode::unreadable, damaged);
+        at.left.remove_prefix(size);
+        Bytes row{*inputs};
+        take_rows(row, ticks, made.inputs);
+        at.good = row.good && row.left.empty();
     }
-    if (!row.good || made.inputs.size() != ticks) return fail(ErrorCode::unreadable, damaged);
+    if (!at.good) return fail(ErrorCode::unreadable, damaged);
     for (std::uint64_t i = 0; at.good && i < hashes; ++i) made.hashes.push_back(at.take<std::uint64_t>());
     if (!at.good || !at.left.empty()) return fail(ErrorCode::unreadable, damaged);
     return made;

@@ -24,6 +24,7 @@ struct Recording {
     std::string level;              ///< `Level::id`
     std::uint64_t level_hash = 0;   ///< `Level::hash`
     std::string player;             ///< a name, or a bot's
+    std::uint32_t checkpoint = 0;   ///< where it begins, of `Level::checkpoints`
     std::vector<HeroInput> inputs;  ///< one a tick
     std::vector<RunDecision> decisions;
     std::vector<std::uint64_t> hashes;  ///< of the game after every 60th tick
@@ -34,7 +35,8 @@ struct Recording {
 /// Keeps a run as it is played: call `tick` with what the game is told, after the game was.
 class Recorder {
 public:
-    Recorder(const Level& level, std::string player);
+    /// `checkpoint`: at which the game was started.
+    Recorder(const Level& level, std::string player, std::uint32_t checkpoint = 0);
     void tick(const HeroInput& input, const Game& game);
     void decide(RunDecision::Kind kind);
     [[nodiscard]] const Recording& recording() const { return recording_; }
@@ -42,6 +44,11 @@ public:
 private:
     Recording recording_;
 };
+
+/// A game as the recording begins: to be played by a `Player`. Fails as `Game::start` does, and with `invalid` for a
+/// recording that was made on another version of the level.
+[[nodiscard]] Expected<std::unique_ptr<Game>> start_of(const std::shared_ptr<const Level>& level,
+                                                       const Recording& recording);
 
 /// Plays a recording tick by tick.
 class Player {
@@ -61,8 +68,9 @@ private:
     std::uint64_t diverged_ = 0;
 };
 
-/// The bytes of a small file (".run"), versioned and checked, and back. `file` is what errors name. Reading fails with
-/// `unreadable` for damaged bytes, with the place, and with `unsupported` for another version.
+/// The bytes of a small file (".run"), versioned and checked, and back; those of version 1, which all begin at the spawn,
+/// are read, too. `file` is what errors name. Reading fails with `unreadable` for damaged bytes, with the place, and with
+/// `unsupported` for another version.
 [[nodiscard]] std::string to_bytes(const Recording& recording);
 [[nodiscard]] Expected<Recording> recording_of(std::string_view bytes, const std::string& file);
 

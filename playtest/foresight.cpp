@@ -10,6 +10,20 @@
 #include "game/route.hpp"
 
 namespace surefoot::playtest {
+namespace {
+
+constexpr double stomp_bounce = 8;  // m/s
+
+}  // namespace
+
+std::vector<double> clocks_of(const game::BodyPlan& plan) {
+    constexpr int samples = 32;
+    double round = game::round_time(plan.route);
+    if (round == 0 && plan.route.deg_per_s != 0) round = 360 / std::abs(plan.route.deg_per_s);
+    std::vector<double> clocks{0};
+    for (int i = 1; i < samples && round > 0; ++i) clocks.push_back(round * i / samples);
+    return clocks;
+}
 
 Pose pose_at(const game::BodyPlan& plan, double clock) {
     Pose pose{plan.origin + game::place_on(plan.route, clock), {1, 0, 0, 0}};
@@ -21,7 +35,10 @@ Pose pose_at(const game::BodyPlan& plan, double clock) {
 }
 
 Foresight::Foresight(std::shared_ptr<const game::Level> level)
-    : level_(std::move(level)), settings_(game::hero_settings(level_->rules)), bodies_(level_->bodies.size()) {}
+    : level_(std::move(level)),
+      settings_(game::hero_settings(level_->rules)),
+      bodies_(level_->bodies.size()),
+      threats_(level_) {}
 
 Expected<std::unique_ptr<Foresight>> Foresight::make(std::shared_ptr<const game::Level> level) {
     std::unique_ptr<Foresight> made(new Foresight(std::move(level)));
@@ -61,9 +78,11 @@ void Foresight::look(const game::Game& game) {
         }
     }
     hero_ = game.hero();
+    threats_.look(game);
 }
 
 void Foresight::put(const dvec3& feet) {
+    threats_.clear();
     hero_ = {};
     hero_.body = stand_at(world_, settings_, feet);
 }
@@ -91,6 +110,8 @@ bool Foresight::tick(const game::HeroInput& input) {
     const auto wet = [&](const dvec3& place) {
         return std::ranges::any_of(level_->waters, [&](const game::Zone& water) { return water.holds(place); });
     };
+    hero_.safe_for = std::max(0.0, hero_.safe_for - game::tick_seconds);
+    const double rising = hero_.body.velocity.y;
     const dvec3 middle = hero_.body.position;
     const game::HeroPlace place{.under_water = wet(middle), .near_surface = !wet(middle + dvec3{0, 0.7, 0})};
     const CharacterInput told = game::told(hero_, input, place, settings_);
@@ -105,7 +126,13 @@ bool Foresight::tick(const game::HeroInput& input) {
         }
     }
     return !result.events.has(CharacterEvent::crushed) && hero_.body.position.y > level_->kill_y &&
-           !(has_harm_ && is_harmed());
+           !(has_harm_ && is_harmed()) && !is_hunted_down(rising);
+}
+
+bool Foresight::is_hunted_down(double rising) {
+    const Threats::Meeting met = threats_.tick(world_, hero_, rising, settings_);
+    if (met == Threats::Meeting::stomped) hero_.bounce = stomp_bounce;
+    return met == Threats::Meeting::harmed;
 }
 
 bool Foresight::is_harmed() const {
@@ -115,7 +142,7 @@ bool Foresight::is_harmed() const {
     const auto harms = [&](std::uint32_t number, std::uint32_t, std::uint32_t surface) {
         const std::size_t body = body_of(number);
         return (surface < level_->materials.size() && level_->materials[surface].deadly) ||
-               (body < bodies_.size() && level_->bodies[body].kind == game::BodyKind::hazard);
+               (hero_.safe_for <= 0 && body < bodies_.size() && level_->bodies[body].kind == game::BodyKind::hazard);
     };
     std::array<Overlap, 1> found;
     return world_.overlap(around, hero_.body.position, found, {.triangles = harms, .begin = 1, .end = 1}) > 0;

@@ -1,5 +1,5 @@
 /// What will be, if nobody does anything else: a copy of the level's bodies that is moved ahead in time, and a hero in
-/// it. People see a lift come; this is how a bot does.
+/// it, with those who hunt it. People see a lift come; this is how a bot does.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "game/game.hpp"
 #include "playtest/hands.hpp"
+#include "playtest/threats.hpp"
 
 namespace surefoot::playtest {
 
@@ -21,7 +22,7 @@ public:
     /// As it is now.
     void look(const game::Game& game);
 
-    /// A hero who has come to stand here; the bodies are where they are.
+    /// A hero who has come to stand here, alone; the bodies are where they are.
     void put(const dvec3& feet);
 
     /// One tick on. False if the hero was harmed in it, crushed, or fell out of the level.
@@ -32,6 +33,10 @@ public:
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] Pose pose(std::size_t body) const { return bodies_[body].now; }  ///< of `Level::bodies`
     [[nodiscard]] bool is_there(std::size_t body) const { return bodies_[body].is_there; }
+    [[nodiscard]] const Threats& threats() const { return threats_; }
+
+    /// Nobody in it hunts or shoots any more, until it looks again: for whoever has waited long enough.
+    void ignore_threats() { threats_.clear(); }
 
     /// How fast it moves at a place in this tick [m/s].
     [[nodiscard]] dvec3 velocity(std::size_t body, const dvec3& place) const {
@@ -56,14 +61,19 @@ private:
 
     explicit Foresight(std::shared_ptr<const game::Level> level);
     [[nodiscard]] bool is_harmed() const;
+    [[nodiscard]] bool is_hunted_down(double rising);
 
     std::shared_ptr<const game::Level> level_;
     World world_;
     CharacterSettings settings_;
     std::vector<Body> bodies_;
+    Threats threats_;
     game::Hero hero_;
     bool has_harm_ = false;
 };
+
+/// Moments all through a round of its route, or its one moment [s].
+[[nodiscard]] std::vector<double> clocks_of(const game::BodyPlan& plan);
 
 /// Where one of the level's bodies is after `clock` seconds of its route.
 [[nodiscard]] Pose pose_at(const game::BodyPlan& plan, double clock);

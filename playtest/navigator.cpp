@@ -13,6 +13,7 @@ namespace {
 constexpr int failures_until_banned = 4;
 constexpr int tries_for_key = 40;
 constexpr int tries_for_coin = 2;
+constexpr int thoughts_a_try = 4;  // at most
 constexpr int reaction = 9;        // ticks
 constexpr int between_plans = 20;  // that found no way [ticks]
 
@@ -26,7 +27,8 @@ Navigator::Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions&
       foresight_(std::move(foresight)),
       hands_(options.seed * 3 + 1),
       dice_(options.seed * 7 + 5),
-      follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}) {}
+      follower_(NavigationFollowOptions{.speed = game::run_speed, .arrival = 0.35}),
+      caution_(std::shared_ptr<const game::Level>(atlas_, &atlas_->level()), options.seed * 13 + 9) {}
 
 Expected<std::unique_ptr<Navigator>> Navigator::make(std::shared_ptr<const Atlas> atlas,
                                                      const NavigatorOptions& options) {
@@ -98,19 +100,24 @@ game::HeroInput Navigator::decide(const game::Game& game) {
         switch (phase_) {
             case Phase::thinks:
                 intent = find_back(game);
+                if (caution_.is_busy() || game.hero().body.footing == Footing::ground) intent = mind(game, intent);
                 break;
             case Phase::walks:
                 intent = walk(game);
-                dodge(game, intent);
+                intent = mind(game, intent);
                 break;
             case Phase::waits:
-                intent = wait(game);
+                intent = mind(game, wait(game));
                 break;
             case Phase::hops:
                 intent = hop(game);
                 break;
             case Phase::manoeuvres:
                 intent = manoeuvre(game);
+                break;
+            case Phase::catches:
+                intent = catch_it(game);
+                if (!catch_end_) intent = mind(game, intent);
                 break;
         }
     }
@@ -126,6 +133,7 @@ void Navigator::notice(const game::Game& game) {
             case game::Happening::respawned:
             case game::Happening::lost:
                 if (phase_ == Phase::hops || phase_ == Phase::waits || phase_ == Phase::manoeuvres) fail(game);
+                caution_.forget();
                 phase_ = Phase::thinks;
                 pause_ = reaction + dice_.whole(0, 12);
                 break;
@@ -163,12 +171,13 @@ void Navigator::notice(const game::Game& game) {
                 break;
         }
     }
-    if (target_pickup_ && std::ranges::none_of(game.pickups(), [&](const game::Pickup& pickup) {
+    const bool flies = phase_ == Phase::catches && catch_end_;  // it comes down first
+    if (target_pickup_ && !flies && std::ranges::none_of(game.pickups(), [&](const game::Pickup& pickup) {
             return pickup.plan == *target_pickup_;
         })) {
         target_pickup_.reset();
         since_better_ = 0;
-        if (phase_ == Phase::walks) phase_ = Phase::thinks;
+        if (phase_ == Phase::walks || phase_ == Phase::catches) phase_ = Phase::thinks;
     }
 }
 
@@ -229,23 +238,29 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         const bool wanted =
             options_.collects ? plan.kind != game::PickupKind::heart
                               : !reaches && (plan.kind == game::PickupKind::key || plan.kind == game::PickupKind::coin);
-        const int most = plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin;
-        if (!wanted || pickup_failures_[pickup.plan] >= most) continue;
-        const double far = length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key ? -1000 : 0);
+        if (!wanted) continue;
+        const double far =
+            length(plan.place - game.feet()) + (plan.kind == game::PickupKind::key && !options_.collects ? -1000 : 0);
         if (far >= nearest) continue;
-        const auto at = passages_.stand_at(plan.place - dvec3{0, 0.8, 0}, 0.8, 1.4);
+        const auto at = stand_for(pickup.plan);
         if (!at || !passages_.route(from, *at, banned_)) continue;
         nearest = far;
         best = pickup.plan;
     }
     if (best) {
+        const auto at = stand_for(*best);
+        // Who only thought again on the way there has not tried yet.
+        thoughts_ = target_pickup_ == best ? thoughts_ + 1 : 0;
         target_pickup_ = best;
-        ++pickup_failures_[*best];
+        target_catch_ = options_.collects ? next_catch(*best) : nullptr;
+        if (thoughts_ % thoughts_a_try == 0) ++pickup_failures_[*best];
+        // So often it may try, however far it gets.
+        if (target_catch_ != nullptr) since_better_ = std::min(since_better_, options_.patience / 2);
         doing_ = fmt::format("goes for a {}", game::name_of(level.pickups[*best].kind));
-        const auto at = passages_.stand_at(level.pickups[*best].place - dvec3{0, 0.8, 0}, 0.8, 1.4);
         return at && plan_to(from, *at);
     }
     target_pickup_.reset();
+    target_catch_ = nullptr;
     // By way of the next checkpoint: whoever cuts corners begins anew from far back.
     if (reaches)
         for (std::uint32_t i = game.checkpoint() + 1; i < level.checkpoints.size(); ++i) {
@@ -258,6 +273,16 @@ bool Navigator::choose_target(const game::Game& game, const Stand& from) {
         }
     doing_ = "goes for the goal";
     return reaches && plan_to(from, *goal);
+}
+
+// Where to go for the next try to take it; nothing if it has tried often enough.
+std::optional<Stand> Navigator::stand_for(std::uint32_t pickup) {
+    const game::PickupPlan& plan = atlas_->level().pickups[pickup];
+    if (options_.collects)
+        if (const Catch* const how = next_catch(pickup)) return how->from;
+    if (pickup_failures_[pickup] >= (plan.kind == game::PickupKind::key ? tries_for_key : tries_for_coin))
+        return std::nullopt;
+    return passages_.stand_at(plan.place - dvec3{0, catch_height, 0}, 0.8, 1.4);
 }
 
 void Navigator::fail(const game::Game&) {
@@ -283,20 +308,20 @@ Intent Navigator::find_back(const game::Game& game) {
     return intent;
 }
 
-// Jumps over, or on, whoever comes near.
-void Navigator::dodge(const game::Game& game, Intent& intent) {
-    bool near = false;
-    for (const game::Enemy& enemy : game.enemies()) {
-        const dvec3 way = enemy.body.position - game.hero().body.position;
-        const dvec3 closing = flat(enemy.body.velocity - game.hero().body.velocity);
-        if (std::abs(way.y) < 1.5 && flat_length(way) < 3 && dot(unit(flat(way)), closing) < -1) near = true;
-    }
-    const bool reacts = enemy_near_.after(near, dice_);
-    if (reacts && jump_for_ == 0 && game.hero().body.footing == Footing::ground && !follower_.on_link()) jump_for_ = 20;
-    if (jump_for_ > 0) {
-        --jump_for_;
-        intent.jump = true;
-    }
+// Past what moves and harms, on foot and where it waits.
+Intent Navigator::mind(const game::Game& game, const Intent& intent) {
+    const bool in_air = game.hero().body.footing == Footing::air;
+    if (phase_ == Phase::walks && !(follower_.on_link() && in_air))
+        return caution_.mind(game, *foresight_, intent, [&]() -> Caution::Steering {
+            return [this, follower = follower_, &game](const game::Hero& hero) mutable {
+                const CharacterInput told =
+                    follower.input(passages_.query(), hero.body, game.settings(), game::tick_seconds);
+                return Intent{.move = flat(told.wish) / game::run_speed, .jump = told.jump, .crouch = told.crouch};
+            };
+        });
+    if (phase_ == Phase::waits || phase_ == Phase::thinks)
+        return caution_.mind(game, *foresight_, intent, [] { return [](const game::Hero&) { return Intent{}; }; });
+    return intent;
 }
 
 }  // namespace surefoot::playtest

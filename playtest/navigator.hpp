@@ -9,6 +9,7 @@
 #include <surefoot/navigation_follow.hpp>
 
 #include "playtest/bot.hpp"
+#include "playtest/caution.hpp"
 #include "playtest/foresight.hpp"
 #include "playtest/hop.hpp"
 #include "playtest/manoeuvre.hpp"
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] std::uint64_t presses() const { return hands_.presses(); }
 
 private:
-    enum class Phase : std::uint8_t { thinks, walks, waits, hops, manoeuvres };
+    enum class Phase : std::uint8_t { thinks, walks, waits, hops, manoeuvres, catches };
 
     Navigator(std::shared_ptr<const Atlas> atlas, const NavigatorOptions& options, Passages passages,
               std::unique_ptr<Foresight> foresight);
@@ -55,9 +56,17 @@ private:
     [[nodiscard]] Intent stay_on_body(const game::Game& game) const;
     [[nodiscard]] Intent hop(const game::Game& game);
     [[nodiscard]] Intent manoeuvre(const game::Game& game);
+    [[nodiscard]] Intent catch_it(const game::Game& game);
+    [[nodiscard]] Intent fly_to_catch(const game::Game& game, const dvec3& place);
+    [[nodiscard]] bool catch_goes_well(const game::Game& game, const HopStyle& style, const dvec3& place,
+                                       const Stand& end);
+    [[nodiscard]] const Catch* next_catch(std::uint32_t pickup);
+    [[nodiscard]] std::optional<Stand> stand_for(std::uint32_t pickup);
+    void begin_catch();
+    [[nodiscard]] bool leads_on(const Stand& from) const;
     [[nodiscard]] Intent find_back(const game::Game& game);
     [[nodiscard]] Intent save_oneself(const game::Game& game);
-    void dodge(const game::Game& game, Intent& intent);
+    [[nodiscard]] Intent mind(const game::Game& game, const Intent& intent);
     void fail(const game::Game& game);
     void try_to_hop(const game::Game& game);
     void avoid_what_comes(const game::Game& game, std::uint32_t body);
@@ -78,13 +87,16 @@ private:
 
     Phase phase_ = Phase::thinks;
     std::optional<Stand> target_;
-    std::optional<std::uint32_t> target_pickup_;  ///< of `Level::pickups`
-    std::vector<std::uint32_t> plan_;             ///< passages
+    std::optional<std::uint32_t> target_pickup_;           ///< of `Level::pickups`
+    const Catch* target_catch_ = nullptr;                  ///< how it is taken, if it is not walked to
+    std::optional<Stand> catch_end_;                       ///< where it comes down, once it has jumped
+    std::map<std::uint32_t, std::vector<Catch>> catches_;  ///< of pickups, as far as they were asked for
+    std::vector<std::uint32_t> plan_;                      ///< passages
     std::size_t step_ = 0;
     Hop hop_;
     Stand hop_to_;
     Manoeuvring manoeuvring_;
-    Reaction enemy_near_;
+    Caution caution_;
     std::map<std::uint32_t, int> failures_;         ///< of passages
     std::map<std::uint32_t, int> pickup_failures_;  ///< of pickups that it went for
     std::map<std::uint32_t, int> checkpoint_tries_;
@@ -94,10 +106,10 @@ private:
     int phase_ticks_ = 0;
     int stands_for_ = 0;  ///< ticks on what it hopped to
     int style_turn_ = 0;
-    int jump_for_ = 0;  ///< over an enemy [ticks]
     int save_for_ = 0;  ///< a jump in the air [ticks]
     int wet_for_ = 0;   ///< ticks under water on what was to be a walk
     int think_in_ = 0;  ///< ticks until it plans again
+    int thoughts_ = 0;  ///< of going for the same pickup, one after the other
     int lost_for_ = 0;  ///< ticks without ground of the mesh
     double best_left_ = 1e300;
     double since_better_ = 0;

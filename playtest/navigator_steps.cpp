@@ -14,6 +14,7 @@ constexpr int between_tries = 8;          // ticks
 constexpr int longest_wait = 60 * 30;     // ticks
 constexpr int longest_hop = 60 * 4;       // ticks
 constexpr double longest_manoeuvre = 25;  // s
+constexpr int longest_fear = 60 * 8;      // ticks; then it hops in spite of whoever hunts or shoots
 constexpr int hops_kept = 3;              // styles that are rehearsed at a time
 
 bool holds_crouch(game::Manoeuvre how) {
@@ -27,6 +28,10 @@ void Navigator::next_step(const game::Game& game) {
     waited_ = 0;
     stands_for_ = 0;
     style_turn_ = 0;
+    if (step_ >= plan_.size() && target_catch_ != nullptr && target_->body != on_ground) {
+        begin_catch();
+        return;
+    }
     if (step_ >= plan_.size()) {
         follower_.stop();
         follower_.go(passages_.query(), target_->place);
@@ -76,6 +81,9 @@ Intent Navigator::walk(const game::Game& game) {
                 }
                 return {};
             }
+        } else if (target_catch_ != nullptr) {
+            begin_catch();
+            return {};
         } else if (target_pickup_ && phase_ticks_ % 60 < 20) {
             Intent intent;  // it hangs a little higher than one reaches
             intent.move = flat(atlas_->level().pickups[*target_pickup_].place - game.feet());
@@ -207,8 +215,14 @@ bool Navigator::is_on(const game::Hero& hero, const dvec3& feet, const Stand& to
 
 bool Navigator::goes_well(const game::Game& game, const HopStyle& style, const Stand& to) {
     const bool throws = to.body != on_ground && atlas_->level().bodies[to.body].kind == game::BodyKind::bounce;
+    const bool runs_for_it = waited_ > longest_fear;
     return rehearse(
-        *foresight_, [&] { foresight_->look(game); }, game.settings(), spots_of(to), style, to, throws);
+        *foresight_,
+        [&] {
+            foresight_->look(game);
+            if (runs_for_it) foresight_->ignore_threats();
+        },
+        game.settings(), spots_of(to), style, to, throws);
 }
 
 void Navigator::try_to_hop(const game::Game& game) {
@@ -246,9 +260,11 @@ void Navigator::try_to_hop(const game::Game& game) {
         return;
     }
     style_turn_ += hops_kept;
+    foresight_->look(game);
+    // Whoever hunts or shoots goes away again, or it runs for it in the end.
+    if (foresight_->threats().are_any() && waited_ <= longest_fear) style_turn_ %= count;
     // Nothing changes by itself where nothing moves: from another place, then.
     if (still && style_turn_ > 2 * count + hops_kept) fail(game);
-    foresight_->look(game);
 }
 
 // Something still will be where it is carried to: over it with a jump, and down on the same body again.

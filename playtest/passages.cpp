@@ -17,15 +17,6 @@ constexpr double between_spots = 0.45;   // on a body [m]
 constexpr double between_borders = 1.2;  // along the mesh [m]
 constexpr double farthest_gap = 6;       // by two jumps [m]
 constexpr double deepest_drop = 16;      // that is jumped down [m]
-constexpr int samples = 32;              // of a round
-
-std::vector<double> clocks_of(const game::BodyPlan& plan) {
-    double round = game::round_time(plan.route);
-    if (round == 0 && plan.route.deg_per_s != 0) round = 360 / std::abs(plan.route.deg_per_s);
-    std::vector<double> clocks{0};
-    for (int i = 1; i < samples && round > 0; ++i) clocks.push_back(round * i / samples);
-    return clocks;
-}
 
 // What a hop costs by what has to be done for it [s].
 double effort(double gap, double rise) {

@@ -27,6 +27,16 @@ struct Passage {
     double seconds = 1;                                 ///< about what it takes
 };
 
+/// To take something that hangs in the air: from here out to it, and down again at one of these, the likeliest first.
+struct Catch {
+    Stand from;
+    std::vector<Stand> ends;
+    double effort = 0;
+};
+
+/// So high above feet is the middle of who takes something.
+inline constexpr double catch_height = 0.8;
+
 /// A plan: over these passages, by number, and then on foot.
 struct Itinerary {
     std::vector<std::uint32_t> passages;
@@ -45,6 +55,9 @@ public:
 
     /// From island to island by two jumps, where no link leads: each was rehearsed. For the atlas, which keeps them.
     [[nodiscard]] std::vector<Leap> find_leaps(Foresight& foresight) const;
+
+    /// From where something that hangs in the air might be taken, the easiest first; nothing of it is rehearsed.
+    [[nodiscard]] std::vector<Catch> catches(const dvec3& place) const;
 
     /// A place as the graph knows it; nothing if there is no ground near.
     [[nodiscard]] std::optional<Stand> stand_at(const dvec3& feet, double aside = 1.2, double vertical = 1.5) const;

@@ -46,7 +46,7 @@ std::string verdict(bool good, const std::string& text) {
 void add_summary(std::string& out, const Findings& of) {
     std::vector<double> times;
     for (const PlayedRun& run : of.runs)
-        if (run.telemetry.won) times.push_back(run.telemetry.seconds);
+        if (run.telemetry.won && run.telemetry.begun_in == 0) times.push_back(run.telemetry.seconds);
     std::ranges::sort(times);
     out += "<table>";
     const auto row = [&](const std::string& name, const std::string& value) {
@@ -82,9 +82,10 @@ void add_summary(std::string& out, const Findings& of) {
 }
 
 void add_sections(std::string& out, const Findings& of) {
-    const std::vector<std::uint32_t> deaths = deaths_by_section(of);
+    const std::vector<std::uint32_t> deaths = of.deaths_by_section();
     out +=
-        "<h3>Sections</h3><table><tr><th>section</th><th class=n>reached by</th><th class=n>deaths</th><th "
+        "<h3>Sections</h3><p class=dim>Deaths of everybody; explorers play equally long in each "
+        "section.</p><table><tr><th>section</th><th class=n>reached by</th><th class=n>deaths</th><th "
         "class=n>mean time</th><th>verdict</th></tr>";
     for (std::size_t i = 0; i < deaths.size(); ++i) {
         int reached = 0;
@@ -130,22 +131,6 @@ void add_sessions(std::string& out, std::span<const Session> sessions) {
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> deaths_by_section(const Findings& findings) {
-    std::vector<std::uint32_t> deaths(findings.level->checkpoints.size(), 0);
-    for (const PlayedRun& run : findings.runs)
-        for (std::size_t i = 0; i < std::min(deaths.size(), run.telemetry.section_deaths.size()); ++i)
-            deaths[i] += run.telemetry.section_deaths[i];
-    return deaths;
-}
-
-std::string death_verdict(std::span<const std::uint32_t> deaths, std::size_t section) {
-    std::uint32_t all = 0;
-    for (const std::uint32_t of : deaths) all += of;
-    if (all == 0) return "nobody dies anywhere: is it too easy?";
-    if (deaths.size() > 1 && all >= 4 && 2 * deaths[section] > all) return "more than half of all deaths are here";
-    return "";
-}
 
 Report make_report(std::span<const Findings> levels, std::span<const Session> sessions, const std::string& folder,
                    const ReportOptions& options) {

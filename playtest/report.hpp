@@ -36,10 +36,4 @@ struct Report {
 [[nodiscard]] Expected<void> write_report(const std::string& path, std::span<const Findings> levels,
                                           std::span<const Session> sessions = {}, const ReportOptions& options = {});
 
-/// Of how many died where: what that says about the level.
-[[nodiscard]] std::string death_verdict(std::span<const std::uint32_t> deaths_by_section, std::size_t section);
-
-/// The deaths of all runs, by section.
-[[nodiscard]] std::vector<std::uint32_t> deaths_by_section(const Findings& findings);
-
 }  // namespace surefoot::playtest

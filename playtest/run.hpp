@@ -1,4 +1,4 @@
-/// One run: a bot plays a level from its spawn, and it is recorded and noted down.
+/// One run: a bot plays a level from its spawn or a checkpoint, and it is recorded and noted down.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,9 @@
 namespace surefoot::playtest {
 
 struct RunOptions {
-    double most_seconds = 600;  ///< of play; then it is over
+    double most_seconds = 600;     ///< of play; then it is over
+    std::uint32_t checkpoint = 0;  ///< where it begins, of `Level::checkpoints`
+    bool one_section = false;      ///< it is over, too, once another checkpoint is reached
 };
 
 struct Run {

@@ -51,13 +51,15 @@ std::size_t Telemetry::count(Incident::Kind kind) const {
     return std::size_t(std::ranges::count(incidents, kind, &Incident::kind));
 }
 
-Observer::Observer(const game::Level& level, std::string player) {
+Observer::Observer(const game::Level& level, std::string player, std::uint32_t checkpoint) {
     told_.level = level.id;
     told_.player = std::move(player);
     told_.section_seconds.resize(level.checkpoints.size());
     told_.section_deaths.resize(level.checkpoints.size());
     told_.section_reached.resize(level.checkpoints.size());
-    told_.section_reached[0] = true;
+    told_.begun_in = checkpoint;
+    told_.section = checkpoint;
+    told_.section_reached[checkpoint] = true;
 }
 
 void Observer::add(Incident::Kind kind, const game::Game& game, game::Cause cause, std::string note) {

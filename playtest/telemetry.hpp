@@ -40,6 +40,7 @@ struct Telemetry {
     std::string player{};  ///< a name, or a bot's
     bool won = false;
     double seconds = 0;
+    std::uint32_t begun_in = 0;             ///< the section that it began in
     std::uint32_t section = 0;              ///< the last that was reached
     std::vector<double> section_seconds{};  ///< by section
     std::vector<std::uint32_t> section_deaths{};
@@ -58,7 +59,8 @@ struct Telemetry {
 /// Watches a game being played: to be told after every tick.
 class Observer {
 public:
-    Observer(const game::Level& level, std::string player);
+    /// `checkpoint`: at which the game was started.
+    Observer(const game::Level& level, std::string player, std::uint32_t checkpoint = 0);
 
     void tick(const game::HeroInput& input, const game::Game& game);
 

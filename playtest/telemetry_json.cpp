@@ -36,6 +36,7 @@ std::string to_json(const Telemetry& telemetry) {
              {"player", telemetry.player},
              {"won", telemetry.won},
              {"seconds", telemetry.seconds},
+             {"begun_in", telemetry.begun_in},
              {"section", telemetry.section},
              {"section_seconds", telemetry.section_seconds},
              {"section_deaths", telemetry.section_deaths},
@@ -72,6 +73,7 @@ Expected<Telemetry> telemetry_of(const std::string& text, const std::string& fil
         told.player = from.at("player").get<std::string>();
         told.won = from.at("won").get<bool>();
         told.seconds = from.at("seconds").get<double>();
+        told.begun_in = from.value("begun_in", 0U);  // older ones all began at the spawn
         told.section = from.at("section").get<std::uint32_t>();
         told.section_seconds = from.at("section_seconds").get<std::vector<double>>();
         told.section_deaths = from.at("section_deaths").get<std::vector<std::uint32_t>>();

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "command.hpp"
@@ -72,9 +73,19 @@ void add_people(std::vector<playtest::Findings>& levels, const std::vector<playt
     for (playtest::Findings& of : levels) playtest::look_over(of);
 }
 
+std::string where_most_die(const playtest::Findings& of) {
+    const std::vector<std::uint32_t> deaths = of.deaths_by_section();
+    const auto most = std::ranges::max_element(deaths);
+    const double all = std::accumulate(deaths.begin(), deaths.end(), 0.0);
+    if (all == 0) return "";
+    return fmt::format("{} ({:.0f} %)", of.level->checkpoints[std::size_t(most - deaths.begin())].section,
+                       100 * *most / all);
+}
+
 ExitCode run_playtest(const PlaytestGiven& given) {
     std::vector<playtest::Findings> all;
-    Table table({"level", "finished", "deaths", "stuck", "escapes", "NaN", "never taken", "played", "times real time"});
+    Table table({"level", "finished", "deaths", "most of them", "stuck", "escapes", "NaN", "never taken", "played",
+                 "times real time"});
     std::string reasons;
     for (const auto& level : levels_of(given.level)) {
         ProgressBar bar(level->id);
@@ -86,11 +97,13 @@ ExitCode run_playtest(const PlaytestGiven& given) {
         const playtest::Findings& of = all.back();
         using Kind = playtest::Incident::Kind;
         table.add({level->id, fmt::format("{} of {}", of.navigators_won(), of.navigators()),
-                   std::to_string(of.count(Kind::death)), std::to_string(of.count(Kind::stuck)),
+                   std::to_string(of.count(Kind::death)), where_most_die(of), std::to_string(of.count(Kind::stuck)),
                    std::to_string(of.count(Kind::escape)), std::to_string(of.count(Kind::not_a_number)),
                    std::to_string(of.never_taken.size()), fmt::format("{:.1f} min", of.played / 60),
                    fmt::format("{:.0f}", of.took > 0 ? of.played / of.took : 0)});
         if (!of.unreachable.empty()) reasons += fmt::format("{}: {}\n", level->id, of.unreachable);
+        if (const std::string fault = of.death_fault(); !fault.empty())
+            reasons += fmt::format("{}: {}\n", level->id, fault);
     }
     std::vector<playtest::Session> sessions;
     if (!given.sessions.empty()) {
@@ -143,8 +156,9 @@ void add_playtest(CLI::App& program, Run& run) {
         "10 MB; replays that find no room lie in the folder FILE_files.\n"
         "Exit codes: 0 all is well, 1 there is something to look at (a goal out of reach, a bot that knows its way "
         "and\n"
-        "did not finish, somebody stuck, out of the level, or nowhere), 2 wrong usage, 3 a file cannot be read or "
-        "written."));
+        "did not finish, somebody stuck, out of the level, or nowhere, nobody who dies or most of them in one "
+        "section),\n"
+        "2 wrong usage, 3 a file cannot be read or written."));
     command->callback([given, &run] { run = [given] { return run_playtest(*given); }; });
 }
 

@@ -84,6 +84,75 @@ TEST(GameRecording, IsShorterInAFileThanInMemoryAndCanBeEmpty) {
     EXPECT_TRUE(nothing->inputs.empty());
 }
 
+// A level with a second section whose goal is near.
+std::shared_ptr<const Level> two_sections() {
+    LevelMaker maker;
+    maker.level->checkpoints.push_back({.feet = {10, 0, 10}, .facing = {1, 0, 0}, .section = "the end", .order = 1});
+    return maker.finish();
+}
+
+TEST(GameRecording, OneThatBeganAtACheckpointIsKeptAndGivesTheSameGame) {
+    const auto level = two_sections();
+    const auto game = *Game::start(level, {.checkpoint = 1});
+    EXPECT_NEAR(game->feet().x, 10, 1e-9);
+    EXPECT_EQ(game->checkpoint(), 1U);
+    Recorder recorder(*level, "a test", game->begun_at());
+    while (game->outcome() == Outcome::playing && game->seconds() < 10) {
+        const HeroInput input{.move_x = 0.7F, .move_z = 0.7F};
+        game->tick(input);
+        recorder.tick(input, *game);
+    }
+    ASSERT_EQ(game->outcome(), Outcome::won);
+    const std::string path = scratch("from_a_checkpoint.run");
+    ASSERT_TRUE(write_recording(path, recorder.recording()));
+    const auto read = read_recording(path);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->checkpoint, 1U);
+    const auto again = start_of(level, *read);
+    ASSERT_TRUE(again) << again.error().text;
+    Player player(*read);
+    while (player.tick(**again)) continue;
+    EXPECT_EQ(player.diverged(), 0U);
+    EXPECT_EQ((*again)->hash(), game->hash());
+    Progress progress;
+    EXPECT_FALSE(progress.add(*game)) << "half of the way is no best time";
+    EXPECT_FALSE(progress.levels["made"].won);
+}
+
+TEST(GameRecording, NobodyBeginsAtACheckpointThatIsNotThere) {
+    const auto level = two_sections();
+    EXPECT_EQ(Game::start(level, {.checkpoint = 2}).error().code, ErrorCode::invalid);
+    Recording recording;
+    recording.checkpoint = 9;
+    EXPECT_EQ(start_of(level, recording).error().code, ErrorCode::invalid);
+    recording.checkpoint = 1;
+    EXPECT_TRUE(start_of(level, recording));
+    recording.level_hash = 7;
+    EXPECT_EQ(start_of(level, recording).error().code, ErrorCode::invalid);
+}
+
+TEST(GameRecording, AFileOfTheFirstVersionIsReadAndBeginsAtTheSpawn) {
+    const std::string header =
+        R"({"level":"made","level_hash":0,"player":"A","ticks":2,"hashes":0,"won":false,"seconds":0.5,"decisions":[]})";
+    std::string body(4, '\0');
+    body[0] = char(header.size());
+    body += header;
+    body += std::string("\2\0\0\0", 4) + std::string(sizeof(HeroInput), '\0');
+    std::string bytes = "SFRUN\x01\r\n";
+    const std::uint64_t sum = hash_bytes(std::as_bytes(std::span(body)));
+    bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    const std::string path = scratch("first_version.run");
+    ASSERT_TRUE(write_whole(path, bytes + body));
+    const auto read = read_recording(path);
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(read->player, "A");
+    EXPECT_EQ(read->inputs.size(), 2U);
+    EXPECT_EQ(read->checkpoint, 0U);
+    bytes[5] = 3;
+    ASSERT_TRUE(write_whole(path, bytes + body));
+    EXPECT_EQ(read_recording(path).error().code, ErrorCode::unsupported);
+}
+
 TEST(GameRecording, NoDamagedFileIsTakenForARun) {
     const std::string path = scratch("damaged.run");
     ASSERT_TRUE(write_recording(path, run()));

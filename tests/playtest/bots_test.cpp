@@ -73,6 +73,49 @@ TEST(Navigator, finishes_by_its_recording_alone) {
     EXPECT_EQ(to_json(*again), to_json(run->telemetry));
 }
 
+// Two islands over the deep, three metres apart, and coins in the air.
+std::shared_ptr<const game::Level> coins_in_the_air(const std::vector<dvec3>& coins) {
+    test::LevelMaker maker;
+    maker.clear();
+    maker.box({-4, -1, -6}, {4, 0, 4});
+    maker.box({-4, -1, -20}, {4, 0, -9});
+    for (const dvec3& coin : coins) maker.level->pickups.push_back({game::PickupKind::coin, coin, {}});
+    maker.level->goal = {0, 0, -18};
+    return maker.finish();
+}
+
+std::vector<std::uint32_t> taken_by_a_collector(const std::shared_ptr<const game::Level>& level) {
+    const auto bot = Navigator::make(test::atlas_of(level), {.seed = 3, .collects = true});
+    EXPECT_TRUE(bot);
+    auto run = play(level, **bot, {.most_seconds = 240});
+    EXPECT_TRUE(run);
+    EXPECT_TRUE(run->telemetry.won) << (*bot)->doing();
+    std::ranges::sort(run->telemetry.taken);
+    return run->telemetry.taken;
+}
+
+TEST(Collector, takes_coins_that_hang_between_islands_beside_them_and_high_above) {
+    const auto level = coins_in_the_air({{0, 2.0, -7.5}, {3, 1.2, -7.5}, {5.8, 1.5, -14}, {-1, 3.2, -12}});
+    EXPECT_EQ(taken_by_a_collector(level), (std::vector<std::uint32_t>{0, 1, 2, 3}));
+}
+
+TEST(Collector, lets_be_what_hangs_out_of_reach_and_goes_on_to_the_goal) {
+    const auto level = coins_in_the_air({{0, 6.5, -2}, {14, 1, -14}, {0, 0.9, -12}});
+    EXPECT_EQ(taken_by_a_collector(level), std::vector<std::uint32_t>{2});
+}
+
+TEST(Collector, takes_what_hangs_over_the_way_of_a_lift) {
+    test::LevelMaker maker;
+    maker.clear();
+    maker.box({-4, -1, -6}, {4, 0, 4});
+    maker.body(game::BodyKind::platform, {0, -0.25, -8.5}, {1.8, 0.25, 1.8}).route = {
+        .stops = {{0, 0, 0}, {8, 0, 0}}, .speed = 2, .pause = 1};
+    maker.box({8, -1, -20}, {14, 0, -11});
+    maker.level->pickups.push_back({game::PickupKind::coin, {4, 3.0, -8.5}, {}});
+    maker.level->goal = {11, 0, -17};
+    EXPECT_EQ(taken_by_a_collector(maker.finish()), std::vector<std::uint32_t>{0});
+}
+
 TEST(Bots, do_the_same_again_with_the_same_seed) {
     const auto level = test::gaps_lift_key_and_door();
     const auto atlas = atlas_of(level);

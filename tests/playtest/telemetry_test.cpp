@@ -90,6 +90,55 @@ TEST(Telemetry, is_the_same_after_it_was_written_and_read) {
     EXPECT_FALSE(telemetry_of("{}", "a file"));
 }
 
+TEST(Telemetry, of_who_began_at_a_checkpoint_knows_no_section_before_it_and_is_made_again_from_the_recording) {
+    const auto level = test::gaps_lift_key_and_door();
+    Explorer bot(2);
+    const auto run = play(level, bot, {.most_seconds = 20, .checkpoint = 1, .one_section = true});
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->telemetry.begun_in, 1U);
+    EXPECT_FALSE(run->telemetry.section_reached[0]);
+    EXPECT_EQ(run->telemetry.section_seconds[0], 0);
+    std::uint64_t diverged = 1;
+    const auto again = replay(level, run->recording, &diverged);
+    ASSERT_TRUE(again) << again.error().text;
+    EXPECT_EQ(diverged, 0U);
+    EXPECT_EQ(to_json(*again), to_json(run->telemetry));
+}
+
+TEST(Campaign, has_explorers_in_every_section_for_the_same_time) {
+    const auto level = test::gaps_lift_key_and_door();
+    const auto found = run_campaign(level, {.bots = 2, .hours = 0.05});
+    ASSERT_TRUE(found);
+    std::vector<double> seconds(level->checkpoints.size(), 0);
+    for (const PlayedRun& run : found->runs)
+        if (run.telemetry.player == "explorer") seconds[run.telemetry.begun_in] += run.telemetry.seconds;
+    for (const double stayed : seconds) EXPECT_NEAR(stayed, 30, 1);
+}
+
+// A run of an explorer in each of these sections, with so many deaths in it.
+Findings explored(const std::vector<std::uint32_t>& deaths) {
+    test::LevelMaker maker;
+    for (std::size_t i = 1; i < deaths.size(); ++i)
+        maker.level->checkpoints.push_back({.section = "part " + std::to_string(i), .order = int(i)});
+    Findings findings{.level = maker.finish()};
+    for (std::uint32_t i = 0; i < deaths.size(); ++i) {
+        findings.runs.push_back({.telemetry = {.player = "explorer", .seconds = 200, .begun_in = i}, .recording = {}});
+        findings.runs.back().telemetry.section_deaths.resize(deaths.size());
+        findings.runs.back().telemetry.section_deaths[i] = deaths[i];
+    }
+    return findings;
+}
+
+TEST(Campaign, finds_fault_with_deaths_nowhere_or_most_of_them_in_one_section) {
+    EXPECT_TRUE(explored({4, 5, 3}).is_fine());
+    EXPECT_EQ(explored({4, 15, 3}).death_fault(), "part 1: more than half of all deaths are here");
+    EXPECT_FALSE(explored({4, 15, 3}).is_fine());
+    EXPECT_FALSE(explored({0, 0, 0}).is_fine());
+    Findings some = explored({4, 15, 3});
+    some.runs.pop_back();
+    EXPECT_TRUE(some.death_fault().empty()) << "where nobody was there is nothing to say";
+}
+
 TEST(Campaign, plays_the_same_on_one_thread_and_on_two) {
     const auto level = test::gaps_lift_key_and_door();
     const auto json = [&](int threads) {

@@ -52,7 +52,7 @@ void Preparation::warm(const std::shared_ptr<const game::Level>& level) {
     Warmed& job = warmed_.emplace();
     warmed_level_ = level;
     job.made = std::async(std::launch::async, [level, stop = job.stop] {
-                   (void)game::Game::start(level, stop.get());  // what goes wrong is told when it is played
+                   (void)game::Game::start(level, {.stop = stop.get()});  // what goes wrong is told when it is played
                }).share();
 }
 

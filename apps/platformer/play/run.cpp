@@ -44,11 +44,12 @@ double facing_of(const dvec3& direction) {
 }
 
 Expected<Run::Prepared> Run::prepare(Plan plan, const std::atomic<bool>* stop) {
-    auto game = game::Game::start(plan.level, stop);
+    const std::uint32_t begins_at = plan.watched ? plan.watched->checkpoint : 0;
+    auto game = game::Game::start(plan.level, {.checkpoint = begins_at, .stop = stop});
     if (!game) return tl::unexpected(game.error());
     Prepared made{.plan = std::move(plan), .game = std::move(*game)};
     if (made.plan.ghost) {
-        auto ghost = game::Game::start(made.plan.level, stop);
+        auto ghost = game::Game::start(made.plan.level, {.checkpoint = made.plan.ghost->checkpoint, .stop = stop});
         if (!ghost) return tl::unexpected(ghost.error());
         made.ghost = std::move(*ghost);
     }

@@ -238,7 +238,7 @@ TEST_F(TheatreTest, ends_at_once_while_it_looks_for_the_ways_of_one_who_jumps) {
     ASSERT_TRUE(level) << level.error().text;
     const auto shared = std::make_shared<const game::Level>(std::move(*level));
     const std::atomic<bool> stop = true;
-    EXPECT_FALSE(game::Game::start(shared, &stop));
+    EXPECT_FALSE(game::Game::start(shared, {.stop = &stop}));
     EXPECT_TRUE(game::Game::start(shared)) << "what was stopped was not kept";
     setenv("XDG_CACHE_HOME", usual.c_str(), 1);
 }
