@@ -151,12 +151,11 @@ std::string to_bytes(const Recording& recording) {
         put(rows, recording.inputs[i]);
         i += same;
     }
-    const nlohmann::json header{{"level", recording.level},       {"level_hash", recording.level_hash},
-                                {"player", recording.player},     {"checkpoint", recording.checkpoint},
-                                {"ticks", recording.inputs.size()},
-                                {"rows", rows.size() / row_size}, {"hashes", recording.hashes.size()},
-                                {"won", recording.won},           {"seconds", recording.seconds},
-                                {"decisions", decisions}};
+    const nlohmann::json header{{"level", recording.level},          {"level_hash", recording.level_hash},
+                                {"player", recording.player},        {"checkpoint", recording.checkpoint},
+                                {"ticks", recording.inputs.size()},  {"rows", rows.size() / row_size},
+                                {"hashes", recording.hashes.size()}, {"won", recording.won},
+                                {"seconds", recording.seconds},      {"decisions", decisions}};
     const std::string words = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::string body;
     put(body, std::uint32_t(words.size()));

@@ -68,9 +68,9 @@ private:
     std::uint64_t diverged_ = 0;
 };
 
-/// The bytes of a small file (".run"), versioned and checked, and back; those of version 1, which all begin at the spawn,
-/// are read, too. `file` is what errors name. Reading fails with `unreadable` for damaged bytes, with the place, and with
-/// `unsupported` for another version.
+/// The bytes of a small file (".run"), versioned and checked, and back; those of version 1, which all begin at the
+/// spawn, are read, too. `file` is what errors name. Reading fails with `unreadable` for damaged bytes, with the place,
+/// and with `unsupported` for another version.
 [[nodiscard]] std::string to_bytes(const Recording& recording);
 [[nodiscard]] Expected<Recording> recording_of(std::string_view bytes, const std::string& file);
 

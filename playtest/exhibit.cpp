@@ -123,7 +123,7 @@ Expected<std::vector<Exhibit>> exhibits_of(const std::shared_ptr<const game::Lev
     std::uint64_t last = 0;
     for (const Incident& incident : incidents) last = std::max(last, incident.tick);
     const auto play = [&](const auto& each) -> Expected<void> {
-        auto game = game::Game::start(level);
+        auto game = game::start_of(level, recording);
         if (!game) return tl::unexpected(game.error());
         game::Player player(recording);
         while (player.ticks() < last && player.tick(**game)) each(**game, recording.inputs[player.ticks() - 1]);

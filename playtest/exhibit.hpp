@@ -44,8 +44,8 @@ struct Exhibit {
 };
 
 /// Plays the recording once to see what happened and once more to draw it: one exhibit for each of the incidents, which
-/// are of this run. Where the hero is nowhere there are no stills. Fails as `Game::start` does.
-/// Requires: the recording was made on this level.
+/// are of this run. Where the hero is nowhere there are no stills. Fails as
+/// `game::start_of` does.
 [[nodiscard]] Expected<std::vector<Exhibit>> exhibits_of(const std::shared_ptr<const game::Level>& level,
                                                          const game::Recording& recording,
                                                          std::span<const Incident> incidents,

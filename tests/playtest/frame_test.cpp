@@ -108,9 +108,9 @@ TEST(Frame, is_seen_from_above_in_a_shaft) {
 }
 
 // Off the edge of the floor and into the deep; then again from the spawn.
-game::Recording fall_off(const std::shared_ptr<const game::Level>& level, double run_for) {
-    auto game = *game::Game::start(level);
-    game::Recorder recorder(*level, "walker");
+game::Recording fall_off(const std::shared_ptr<const game::Level>& level, double run_for, std::uint32_t from = 0) {
+    auto game = *game::Game::start(level, {.checkpoint = from});
+    game::Recorder recorder(*level, "walker", from);
     for (int tick = 0; tick < 360; ++tick) {
         game::HeroInput input;
         input.move_z = tick < int(run_for * 60) ? -1 : 0;
@@ -141,6 +141,24 @@ TEST(Exhibit, of_a_fall_shows_largest_where_it_began) {
     ASSERT_FALSE(exhibit.clip.feet.empty());
     EXPECT_LT(exhibit.clip.feet.back().y, -5);
     EXPECT_EQ(exhibit.clip.looks.size(), exhibit.clip.feet.size());
+}
+
+TEST(Exhibit, of_a_run_that_began_at_a_checkpoint_is_of_what_happened_there) {
+    test::LevelMaker maker;
+    maker.clear();
+    maker.box({-6, -1, -6}, {6, 0, 6});
+    maker.box({34, -1, -6}, {46, 0, 6});
+    maker.level->checkpoints.push_back({.feet = {40, 0, 0}, .facing = {0, 0, -1}, .section = "there", .order = 1});
+    const auto level = maker.finish();
+    const game::Recording recording = fall_off(level, 1.5, 1);
+    const auto told = replay(level, recording);
+    ASSERT_TRUE(told);
+    ASSERT_GE(told->incidents.size(), 1U);
+    const auto made = exhibits_of(level, recording, {&told->incidents.front(), 1}, FramePainter(*level));
+    ASSERT_TRUE(made) << made.error().text;
+    ASSERT_FALSE(made->front().clip.feet.empty());
+    EXPECT_NEAR(made->front().clip.feet.back().x, 40, 0.5);
+    EXPECT_LT(made->front().clip.feet.back().y, -5);
 }
 
 TEST(Exhibit, tells_of_what_moves_near_by_and_of_nothing_far_away) {

@@ -72,7 +72,7 @@ TEST(Report, holds_the_replay_of_each_incident_that_plays_to_the_same_end) {
         const auto read = game::recording_of(test::bytes_of_base64(data.front()), names.front());
         ASSERT_TRUE(read) << read.error().text;
         const auto end_of = [&](const game::Recording& recording) {
-            auto game = *game::Game::start(of.level);
+            auto game = *game::start_of(of.level, recording);
             game::Player player(recording);
             while (player.tick(*game)) continue;
             EXPECT_EQ(player.diverged(), 0U);
