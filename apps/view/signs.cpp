@@ -88,6 +88,14 @@ double flag(const dvec2& p) {
     return std::min(bar(p, {-0.6, -0.85}, {-0.6, 0.88}, 0.22), polygon(p, cloth) - 0.05);
 }
 
+/// Light that rises from a ring on the ground.
+double beam(const dvec2& p) {
+    const std::array light{dvec2(-0.2, -0.92), dvec2(0.2, -0.92), dvec2(0.42, 0.34), dvec2(-0.42, 0.34)};
+    const double base = box(p, {0, 0.74}, {0.86, 0.15}, 0.14);
+    const double rays = std::min(bar(p, {-0.74, 0.34}, {-0.6, -0.3}, 0.14), bar(p, {0.74, 0.34}, {0.6, -0.3}, 0.14));
+    return std::min({polygon(p, light) - 0.03, base, rays});
+}
+
 double gamepad(const dvec2& p) {
     const double body = std::min({box(p, {0, -0.06}, {0.86, 0.44}, 0.4), bar(p, {-0.66, 0.1}, {-0.74, 0.46}, 0.44),
                                   bar(p, {0.66, 0.1}, {0.74, 0.46}, 0.44)});
@@ -184,6 +192,8 @@ double distance_to(Sign sign, const dvec2& p) {
             return play(p);
         case Sign::enemy:
             return enemy(p);
+        case Sign::beam:
+            return beam(p);
         case Sign::count:
             break;
     }

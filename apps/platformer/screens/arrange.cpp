@@ -17,6 +17,7 @@ double widest(ScreenId id) {
         case ScreenId::help:
         case ScreenId::credits:
         case ScreenId::form:
+        case ScreenId::trouble:
             return 620;
         case ScreenId::bindings:
             return 740;
@@ -72,8 +73,9 @@ Arrangement arrange(const Menu& menu, const dvec2& size, double scroll) {
             row_height = height_of(entry.kind);
         }
         Rect place{{left, y}, {left + width, y + row_height}};
-        if (entry.kind == Entry::Kind::card || entry.kind == Entry::Kind::binding) {
-            const double label = entry.kind == Entry::Kind::binding ? width * 0.25 : 0;
+        const bool is_of_table = menu.id == ScreenId::bindings && entry.kind != Entry::Kind::button;
+        if (entry.kind == Entry::Kind::card || is_of_table) {
+            const double label = is_of_table ? width * 0.25 : 0;
             const double cell = (width - label + gap) / menu.columns;
             place.low.x = left + label + cell * entry.column;
             place.high.x = place.low.x + cell - gap;

@@ -124,11 +124,24 @@ void draw_foot(Canvas& canvas, const Screens& screens, const Menu& menu, const P
     if (screens.is_capturing())
         hint = entry.place < 2 ? "Press the key or mouse button for it. Escape leaves it as it is."
                                : "Press the button for it. Start or Escape leaves it as it is.";
-    canvas.text(hint, {size.x / 2, size.y - 42},
-                {.size = 15,
-                 .colour = screens.notice().empty() ? palette.paper : palette.accent,
-                 .align = Align::middle,
-                 .edge_width = 1});
+    // In one line, or in smaller ones between the page and the keys: never over what is chosen.
+    view::TextLook look{.size = 15,
+                        .colour = screens.notice().empty() ? palette.paper : palette.accent,
+                        .align = Align::middle,
+                        .edge_width = 1};
+    const double width = size.x - 40;
+    if (canvas.width_of(hint, look) > width) look.size = 12;
+    std::vector<std::string_view> lines = canvas.lines_of(hint, width, look);
+    if (lines.size() > 2) {
+        look.size = 9;
+        lines = canvas.lines_of(hint, width, look);
+        lines.resize(std::min<std::size_t>(lines.size(), 3));
+    }
+    double line_y = size.y - 42 - (double(lines.size()) - 1) * look.size * 0.55;
+    for (const std::string_view line : lines) {
+        canvas.text(line, {size.x / 2, line_y}, look);
+        line_y += look.size * 1.1;
+    }
     double x = size.x / 2 - 92;
     x += draw_key_cap(canvas, pad ? "A" : "Enter", {x, size.y - 18}, 13) + 6;
     x += canvas.text("choose", {x, size.y - 13}, {.size = 13, .colour = palette.quiet}) + 18;
