@@ -42,6 +42,7 @@ public:
             options.settings = fs::absolute(stage.settings_file).string();
         options.keeps_window = stage.is_only_room && !stage.has_size && !stage.headless;
         if (stage.bot) options.pilot = platformer::bot_pilot();
+        options.pilot_goes_on = !stage.headless;  // where a script looks, what is won stays in sight
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
             const fs::path level(stage.level);

@@ -123,8 +123,9 @@ public:
             if (count++ % in_a_row != 0) ImGui::SameLine(0, letter);
             if (draw_card(card, width_of(in_a_row))) choose_(card.id);
         }
+        const float top = ImGui::GetWindowPos().y;
         ImGui::End();
-        draw_title(letter);
+        if (top > letter * 7.8F) draw_title(letter);  // else there is no room for it
     }
 
 private:
@@ -148,9 +149,11 @@ private:
         const float width = large->CalcTextSizeA(large->FontSize * scale, FLT_MAX, 0, card.name.data(), end).x;
         list.AddText(large, large->FontSize * scale * std::min(1.0F, page / std::max(width, 1.0F)),
                      {low.x + letter, low.y + letter * 1.7F}, view::packed(rgb(0xF2F5F7)), card.name.data(), end);
+        list.PushClipRect(low, high, true);
         ImFont* const plain = view::fonts().plain;
         list.AddText(plain, plain->FontSize * scale, {low.x + letter, low.y + letter * 4.1F},
                      view::packed(rgb(0xA9B7C2)), card.blurb.data(), card.blurb.data() + card.blurb.size(), page);
+        list.PopClipRect();
         return pressed;
     }
 

@@ -74,17 +74,26 @@ TEST_F(PlatformerProgram, keeps_its_own_settings_in_the_file_that_is_named_and_l
     put("config/surefoot/playground.json", "{\"width\": 1111}");
     put("set.json", "{\"volume\": 0.25, \"minimap\": false}");
     put("keys.txt", "wait 3\nclick \"Options\"\nwait 2\nkey Escape\nwait 3\nquit\n");
-    EXPECT_EQ(run("--settings set.json --script keys.txt --frames 60"), 0) << said;
+    EXPECT_EQ(run("--settings set.json --script keys.txt"), 0) << said;
     EXPECT_NE(text_of(folder / "set.json").find("\"volume\": 0.25"), std::string::npos) << text_of(folder / "set.json");
     EXPECT_NE(text_of(folder / "set.json").find("bindings"), std::string::npos) << "written anew, by the game";
     EXPECT_EQ(text_of(folder / "config/surefoot/playground.json"), "{\"width\": 1111}");
     EXPECT_FALSE(fs::exists(folder / "config/surefoot/platformer.json"));
 }
 
+// The defect: it ended with 0, and the message came from the playground.
+TEST_F(PlatformerProgram, ends_with_1_when_its_settings_could_not_be_kept) {
+    put("a file", "");
+    put("keys.txt", "wait 3\nclick \"Options\"\nwait 2\nkey Escape\nwait 3\nquit\n");
+    EXPECT_EQ(run("--settings 'a file/set.json' --script keys.txt"), 1);
+    EXPECT_NE(said.find("surefoot-platformer: "), std::string::npos) << said;
+    EXPECT_EQ(said.find("playground"), std::string::npos) << said;
+}
+
 // The defect: there were no widgets, and nothing else was looked at: 'there are ' and nothing.
 TEST_F(PlatformerProgram, tells_a_script_which_labels_there_are) {
     put("wrong.txt", "wait 3\nclick \"Optons\"\n");
-    EXPECT_EQ(run("--script wrong.txt --frames 200"), 1);
+    EXPECT_EQ(run("--script wrong.txt"), 1);
     EXPECT_NE(said.find("\"Options\""), std::string::npos) << said;
 }
 

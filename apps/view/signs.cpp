@@ -88,12 +88,10 @@ double flag(const dvec2& p) {
     return std::min(bar(p, {-0.6, -0.85}, {-0.6, 0.88}, 0.22), polygon(p, cloth) - 0.05);
 }
 
-/// Light that rises from a ring on the ground.
+/// Light that rises in a gate.
 double beam(const dvec2& p) {
-    const std::array light{dvec2(-0.2, -0.92), dvec2(0.2, -0.92), dvec2(0.42, 0.34), dvec2(-0.42, 0.34)};
-    const double base = box(p, {0, 0.74}, {0.86, 0.15}, 0.14);
-    const double rays = std::min(bar(p, {-0.74, 0.34}, {-0.6, -0.3}, 0.14), bar(p, {0.74, 0.34}, {0.6, -0.3}, 0.14));
-    return std::min({polygon(p, light) - 0.03, base, rays});
+    const double posts = std::min(bar(p, {-0.68, -0.6}, {-0.68, 0.84}, 0.24), bar(p, {0.68, -0.6}, {0.68, 0.84}, 0.24));
+    return std::min({posts, bar(p, {-0.84, -0.7}, {0.84, -0.7}, 0.26), bar(p, {0, -0.22}, {0, 0.84}, 0.34)});
 }
 
 double gamepad(const dvec2& p) {

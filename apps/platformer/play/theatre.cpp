@@ -258,7 +258,11 @@ void Theatre::obey(const Command& command) {
             use_settings();
             break;
         case Command::Kind::keep:
-            if (!options_.settings.empty()) note_wrong(write_game_settings(screens_.settings(), options_.settings));
+            if (!options_.settings.empty()) {
+                const auto kept = write_game_settings(screens_.settings(), options_.settings);
+                settings_kept_ = kept.has_value();
+                note_wrong(kept);
+            }
             break;
         case Command::Kind::quit:
             if (!session_ || !session_->has_begun() || !screens_.ask(PlaySession::end_form())) quit_ = true;
@@ -320,7 +324,7 @@ view::Camera Theatre::camera(double blend) const {
     const view::dvec2 window(display_.size());
     const double half = 9 * std::tan(camera_settings_.field_of_view / 2) * window.x / std::max(window.y, 1.0);
     const dvec3 right{std::cos(angle), 0, -std::sin(angle)};
-    return looking(eye, middle + dvec3{0, 0.8, 0} - right * (0.4 * half), camera_settings_.field_of_view);
+    return looking(eye, middle + dvec3{0, 0.8, 0} - right * (0.5 * half), camera_settings_.field_of_view);
 }
 
 void Theatre::draw(double blend) {

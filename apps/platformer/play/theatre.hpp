@@ -38,7 +38,8 @@ struct TheatreOptions {
     int beat = 0;                            ///< of the level: seen as its picture is taken; 0: it is played
     bool keeps_window = false;               ///< its size is one of the settings
     std::string remark{};                    ///< about the machine, for the options screen
-    Pilot pilot{};                           ///< plays instead of the player
+    Pilot pilot{};                           ///< plays instead of the player; tries again by itself
+    bool pilot_goes_on = false;              ///< to the next level, too
 };
 
 /// Where the user's files are; all empty if the environment names no folder.
@@ -147,6 +148,7 @@ private:
     double idle_ = 0;         // since anybody touched the screen after a run of the pilot's [s]
     int tries_ = 0;           // of the pilot
     bool kept_ = false;       // it is in the progress
+    bool settings_kept_ = true;
     bool shows_volume_ = false;
     bool quit_ = false;
 };

@@ -117,7 +117,7 @@ void Theatre::go_on_by_itself() {
     if (has_lost && run_->game().can_retry() && tries_ < pilot_tries) {
         ++tries_;
         screens_.choose(Act::retry);
-    } else if (!has_lost) {
+    } else if (!has_lost && options_.pilot_goes_on) {
         screens_.choose(Act::next);
     }
 }
@@ -149,12 +149,14 @@ void Theatre::trouble(const std::string& title, const std::string& why) {
 }
 
 Expected<void> Theatre::keep() {
-    if (options_.settings.empty() || !options_.keeps_window || display_.is_full_screen()) return {};
+    if (options_.settings.empty()) return {};
     // A window that is opened is made larger by the scale of its screen, where that counts in pixels.
     const view::dvec2 size = view::dvec2(display_.size()) / display_.scale();
     const view::ivec2 units(int(std::lround(size.x)), int(std::lround(size.y)));
-    if (units == view::ivec2(screens_.settings().width, screens_.settings().height)) return {};
-    screens_.set_window_size(units);
+    const bool is_resized = options_.keeps_window && !display_.is_full_screen() &&
+                            units != view::ivec2(screens_.settings().width, screens_.settings().height);
+    if (is_resized) screens_.set_window_size(units);
+    if (!is_resized && settings_kept_) return {};
     return write_game_settings(screens_.settings(), options_.settings);
 }
 

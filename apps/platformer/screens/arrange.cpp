@@ -33,7 +33,7 @@ double height_of(Entry::Kind kind) {
         case Entry::Kind::heading:
             return 30;
         case Entry::Kind::text:
-            return 26;
+            return 22;
         case Entry::Kind::binding:
             return 30;
         case Entry::Kind::button:
@@ -66,11 +66,13 @@ Arrangement arrange(const Menu& menu, const dvec2& size, double scroll) {
     double y = 0;
     double row_height = 0;
     int row = -1;
+    bool is_text = false;  // of which lines follow each other as in a book
     for (const Entry& entry : menu.entries) {
         if (entry.row != row) {
-            if (row >= 0) y += row_height + gap;
+            if (row >= 0) y += row_height + (is_text && entry.kind == Entry::Kind::text ? 0 : gap);
             row = entry.row;
             row_height = height_of(entry.kind);
+            is_text = entry.kind == Entry::Kind::text;
         }
         Rect place{{left, y}, {left + width, y + row_height}};
         const bool is_of_table = menu.id == ScreenId::bindings && entry.kind != Entry::Kind::button;

@@ -55,8 +55,10 @@ void draw_title(Canvas& canvas, const Menu& menu, const Rect& page, const Palett
         canvas.text(menu.subtitle, {x + 3, 154}, {.size = 17, .colour = palette.quiet, .edge_width = 1.5});
         return;
     }
-    canvas.text(menu.title, {middle, 58},
-                {.size = 36, .colour = palette.paper, .face = Face::bold, .align = Align::middle, .edge_width = 1.5});
+    view::TextLook head{
+        .size = 36, .colour = palette.paper, .face = Face::bold, .align = Align::middle, .edge_width = 1.5};
+    head.size *= std::min(1.0, (canvas.size().x - 40) / std::max(canvas.width_of(menu.title, head), 1.0));
+    canvas.text(menu.title, {middle, 58}, head);
     double y = 70;
     const view::TextLook quiet{.size = 15, .colour = palette.quiet, .align = Align::middle};
     for (const std::string_view line : canvas.lines_of(menu.subtitle, canvas.size().x - 60, quiet)) {

@@ -84,9 +84,9 @@ void write_help(Writer& to, const Bindings& bindings, Device device) {
     to.text("Back to the last flag; it costs nothing", key(Action::retry));
     to.text("Pause", key(Action::pause));
     to.text("Enemies", "Jump on them, or keep away");
-    to.text("Hearts", "Three; falls and enemies cost one");
-    to.text("Keys", "A key opens the door with its sign");
-    to.text("Stars", "Three a level; 12 open the secret one");
+    to.text("Hearts", "Falls and enemies cost one");
+    to.text("Keys", "Open the door of their letter");
+    to.text("Stars", "12 open the secret level");
     to.button("Change the keys", Act::bindings);
     to.button("Back", Act::back);
 }

@@ -116,7 +116,9 @@ void Screens::push(ScreenId id) {
     const std::vector<Entry> entries = menu().entries;
     const auto played = std::ranges::find_if(
         entries, [&](const Entry& entry) { return entry.act == Act::open_level && entry.index == level_; });
+    const bool is_read = !entries.empty() && entries.front().kind == Entry::Kind::text;
     put_focus(id == ScreenId::levels && played != entries.end() ? std::size_t(played - entries.begin()) : 0);
+    if (is_read) stack_.back().scroll = 0;  // from its beginning
 }
 
 void Screens::pop() {

@@ -266,6 +266,7 @@ TEST_F(TheatreTest, a_bot_tries_again_and_goes_on_to_the_next_level) {
                          if (game.deaths() >= unsigned(game::most_health)) into_the_fire = 0;
                          return {.move_z = into_the_fire == 1 ? 1.0F : -1.0F};
                      }};
+    options.pilot_goes_on = true;
     open();
     play_first();
     for (int i = 0; i < 60 * 30 && !(game().level().id == "second"); ++i) tick();
