@@ -50,7 +50,11 @@ if(TARGET surefoot_program)
 endif()
 if(TARGET surefoot_playground)
   set_target_properties(surefoot_playground PROPERTIES INSTALL_RPATH "$ORIGIN/${SUREFOOT_BIN_TO_LIB}")
-  install(TARGETS surefoot_playground RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set_target_properties(surefoot_platformer_program PROPERTIES INSTALL_RPATH "$ORIGIN/${SUREFOOT_BIN_TO_LIB}")
+  install(TARGETS surefoot_playground surefoot_platformer_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # Where the programs look for them: apps/playground/CMakeLists.txt.
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/levels/platformer/" DESTINATION ${CMAKE_INSTALL_DATADIR}/surefoot/levels/platformer
+    FILES_MATCHING PATTERN "*.glb" PATTERN "campaign.txt" PATTERN "kit" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/surefoot-config.cmake.in"

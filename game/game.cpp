@@ -86,11 +86,15 @@ void Game::tick(const HeroInput& input) {
 }
 
 void Game::retry() {
-    if (outcome_ == Outcome::won) return;
+    if (!can_retry()) return;
+    if (outcome_ == Outcome::lost) hero_.health = most_health;
     outcome_ = Outcome::playing;
-    hero_.health = most_health;
     stand_at_checkpoint();
     hero_before_ = hero_;
+}
+
+bool Game::can_retry() const {
+    return outcome_ != Outcome::won && seconds() < level_->time_limit;
 }
 
 void Game::give_up() {

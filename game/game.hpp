@@ -48,9 +48,12 @@ public:
     /// One tick of `tick_seconds`. What happened is in `events` until the next. Does nothing once it is won or lost.
     void tick(const HeroInput& input);
 
-    /// From the last checkpoint, with all hearts: what was taken stays taken, the clock goes on. After `lost`, or
-    /// whenever the player has had enough of where they are.
+    /// From the last checkpoint: what was taken stays taken, the clock goes on. After `lost` with all hearts; whenever
+    /// the player has had enough of where they are with those that are left, so that it heals nothing. Does nothing
+    /// where it cannot go on.
     void retry();
+    /// Not after it was won, nor once the time is up: then there is only the beginning.
+    [[nodiscard]] bool can_retry() const;
 
     /// The player has had enough: lost.
     void give_up();

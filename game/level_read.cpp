@@ -89,7 +89,7 @@ private:
             level_.checkpoints.push_back(
                 {.feet = at,
                  .facing = length > 1e-6 ? dvec3{ahead.x / length, 0, ahead.z / length} : dvec3{0, 0, -1},
-                 .section = extras.text("section", is_spawn ? "the start" : marker.name),
+                 .section = extras.text("section", is_spawn ? "The start" : marker.name),
                  .order = is_spawn ? 0 : extras.whole("order", 1, 1, 1000)});
             return true;
         }

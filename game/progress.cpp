@@ -13,16 +13,19 @@ int Progress::stars() const {
     return sum;
 }
 
-bool Progress::is_open(const Level& level, std::span<const Level* const> all) const {
+bool Progress::is_open(const Level& level, std::span<const Level* const> campaign) const {
+    const auto is_won = [&](const Level& one) {
+        const auto found = levels.find(one.id);
+        return found != levels.end() && found->second.won;
+    };
+    if (is_won(level)) return true;
     if (level.secret || level.stars_needed > 0) return stars() >= level.stars_needed;
     const Level* before = nullptr;
-    for (const Level* other : all) {
-        if (other == &level) break;
+    for (const Level* other : campaign) {
+        if (other == &level) return before == nullptr || is_won(*before);
         if (!other->secret) before = other;
     }
-    if (before == nullptr) return true;
-    const auto found = levels.find(before->id);
-    return found != levels.end() && found->second.won;
+    return true;
 }
 
 bool Progress::add(const Game& game) {
@@ -43,6 +46,21 @@ bool Progress::add(const Game& game) {
     if (is_best) progress.best_seconds = game.seconds();
     progress.medal = std::max(progress.medal, level.medal(game.seconds()));
     return is_best;
+}
+
+void Progress::merge(const Progress& other) {
+    for (const auto& [id, theirs] : other.levels) {
+        LevelProgress& ours = levels[id];
+        if (theirs.won && (!ours.won || theirs.best_seconds < ours.best_seconds))
+            ours.best_seconds = theirs.best_seconds;
+        ours.won = ours.won || theirs.won;
+        ours.medal = std::max(ours.medal, theirs.medal);
+        ours.best_coins = std::max(ours.best_coins, theirs.best_coins);
+        ours.stars.insert(theirs.stars.begin(), theirs.stars.end());
+        ours.runs = std::max(ours.runs, theirs.runs);
+        ours.deaths = std::max(ours.deaths, theirs.deaths);
+    }
+    taught.insert(other.taught.begin(), other.taught.end());
 }
 
 Expected<Progress> read_progress(const std::string& path) {
@@ -69,6 +87,7 @@ Expected<Progress> read_progress(const std::string& path) {
             progress.deaths = level.at("deaths").get<std::uint32_t>();
             made.levels[id] = std::move(progress);
         }
+        made.taught = json.value("taught", std::set<std::string>{});
     } catch (const nlohmann::json::exception&) {
         return damaged();
     }
@@ -82,7 +101,7 @@ Expected<void> write_progress(const std::string& path, const Progress& progress)
                       {"medal", int(level.medal)}, {"best_coins", level.best_coins},
                       {"stars", level.stars},      {"runs", level.runs},
                       {"deaths", level.deaths}};
-    const nlohmann::json json{{"version", 1}, {"levels", levels}};
+    const nlohmann::json json{{"version", 1}, {"levels", levels}, {"taught", progress.taught}};
     return write_whole(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 

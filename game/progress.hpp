@@ -17,21 +17,25 @@ struct LevelProgress {
     double best_seconds = 0;  ///< 0: none yet
     Medal medal = Medal::none;
     int best_coins = 0;
-    std::set<std::uint32_t> stars;  ///< which, by their order among the level's stars
+    std::set<std::uint32_t> stars{};  ///< which, by their order among the level's stars
     std::uint32_t runs = 0;
     std::uint32_t deaths = 0;
 };
 
 struct Progress {
     std::map<std::string, LevelProgress> levels;  ///< by `Level::id`
+    std::set<std::string> taught{};               ///< what the player was told when it first happened
 
     [[nodiscard]] int stars() const;
-    /// The first level is open; each next when the one before it is won; a secret one by its stars. `all` is in the
-    /// order of playing.
-    [[nodiscard]] bool is_open(const Level& level, std::span<const Level* const> all) const;
+    /// The first level of the campaign is open; each next when the one before it is won; a secret one, or any that asks
+    /// for stars, by its stars. What is no part of the campaign is open, and so is what was won, however it was begun.
+    /// `campaign` is in the order of playing.
+    [[nodiscard]] bool is_open(const Level& level, std::span<const Level* const> campaign) const;
     /// A game is over, or left. Returns whether its time is a new best. One that was started at a checkpoint wins
     /// nothing.
     bool add(const Game& game);
+    /// What another program made of the same progress: the best of both.
+    void merge(const Progress& other);
 };
 
 /// Empty progress if there is no file. Fails with `unreadable` for one that is damaged; the text says what to do.

@@ -48,9 +48,12 @@ constexpr view::KeyHelp house_keys[] = {{"F1", "shows this"},
 Expected<std::unique_ptr<App>> App::open(const Options& options) {
     std::unique_ptr<App> app(new App);
     app->options_ = options;
-    app->settings_path_ = !options.settings.empty() ? options.settings
-                          : options.headless        ? std::string()
-                                                    : view::settings_path();
+    // The settings of a program with one room are that room's.
+    const bool is_house = options.only_room.empty();
+    app->settings_path_ = !is_house                   ? std::string()
+                          : !options.settings.empty() ? std::filesystem::absolute(options.settings).string()
+                          : options.headless          ? std::string()
+                                                      : view::settings_path();
     const auto settings = view::read_settings(app->settings_path_);
     if (settings) {
         app->settings_ = *settings;
@@ -59,8 +62,10 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
     }
     view::DisplayOptions wanted;
     wanted.title = options.title;
-    wanted.size = options.size.value_or(options.headless ? view::ivec2(1280, 720)
-                                                         : view::ivec2(app->settings_.width, app->settings_.height));
+    wanted.size = options.size       ? *options.size
+                  : options.headless ? view::ivec2(1280, 720)
+                  : options.window   ? *options.window
+                                     : view::ivec2(app->settings_.width, app->settings_.height);
     wanted.headless = options.headless;
     wanted.scale = options.scale;
     wanted.api = options.gl == "es" ? view::GlApi::es : options.gl == "core" ? view::GlApi::core : view::GlApi::any;
@@ -78,9 +83,11 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
                                : view::gl_is_software() && !options.headless ? "software"
                                                                              : "full";
     app->renderer_->effects = preset == "software" ? view::Effects::software() : view::Effects::full();
+    std::string remark;
     if (preset == "software" && !options.headless)
-        app->toasts_.say(std::string(view::gl_is_software() ? "No graphics card was found: shadows" : "Shadows") +
-                         ", smoothing and thin edges are off. --preset full turns them on.");
+        remark = std::string(view::gl_is_software() ? "No graphics card was found: shadows" : "Shadows") +
+                 ", smoothing and thin edges are off. --preset full turns them on.";
+    if (is_house && !remark.empty()) app->toasts_.say(remark);
     app->stage_.emplace(Stage{*app->display_, *app->renderer_, app->settings_, app->toasts_, app->browser_,
                               app->chooser_, *app->levels_, *app->navigation_, options.headless, options.level,
                               options.scene, options.ghost_command});
@@ -88,6 +95,11 @@ Expected<std::unique_ptr<App>> App::open(const Options& options) {
     app->stage_->bot = options.bot;
     app->stage_->watch_from = options.watch_from;
     app->stage_->session = options.session;
+    app->stage_->is_only_room = !is_house;
+    app->stage_->has_size = options.size.has_value();
+    app->stage_->program = options.program;
+    app->stage_->settings_file = options.settings;
+    app->stage_->remark = remark;
     if (!options.headless && app->settings_.full_screen) app->display_->set_full_screen(true);
     app->go_to(options.only_room.empty() ? options.room : options.only_room);
     return app;
@@ -104,7 +116,10 @@ void App::go_to(std::string_view room) {
 
 void App::play(view::Script script) {
     quit_ = false;
-    player_.emplace(std::move(script), [](std::string_view label) { return view::ui::find_item(label); });
+    player_.emplace(std::move(script), [this](std::string_view label) {
+        const auto widget = view::ui::find_item(label);
+        return widget ? widget : room_->place_of(label);
+    });
 }
 
 void App::fail(ExitCode code, const std::string& text) {
@@ -138,6 +153,7 @@ ExitCode App::run() {
     if (!options_.screenshot.empty() && failure_.empty()) keep_picture(picture(), options_.screenshot);
     if (!options_.contact_sheet.empty() && failure_.empty()) keep_picture(contact_sheet(), options_.contact_sheet);
     keep_settings();
+    if (const auto kept = room_->keep(); !kept) fail(ExitCode::failed, kept.error().text);
     if (options_.timing && !frame_times_.empty()) {
         const double median = median_of(frame_times_);
         fmt::print(
@@ -198,7 +214,9 @@ void App::take_events() {
     if (player_) {
         auto played = player_->next();
         if (!played) {
-            fail(ExitCode::failed, played.error().text + "; there are " + view::ui::known_items());
+            std::string there = view::ui::known_items();
+            for (const std::string& label : room_->labels()) there += (there.empty() ? "\"" : ", \"") + label + "\"";
+            fail(ExitCode::failed, played.error().text + "; there " + (there.empty() ? "is none" : "are " + there));
             return;
         }
         events_.insert(events_.end(), played->events.begin(), played->events.end());
@@ -257,6 +275,13 @@ void App::update(double dt) {
         navigation_->set_ground(room_->ground());
         moves = navigation_->update() || moves;
         moves = toasts_.update(tick) || moves;
+    }
+    if (const std::string failure = room_->failure(); !failure.empty() && failure != told_failure_) {
+        told_failure_ = failure;
+        if (options_.headless)
+            fail(ExitCode::file, failure);
+        else
+            fmt::print(stderr, "{}: {}\n", options_.program, failure);
     }
     stage_->waiting = clock_.waiting;
     if (room_->wants_quit()) {
@@ -325,7 +350,7 @@ void App::draw_house_ui() {
         ImGui::Dummy(bar);
         ImGui::End();
     }
-    toasts_.draw(room_->lower_edge());
+    toasts_.draw();
     if (!help_) return;
     std::vector<view::HelpPage> pages;
     if (!room_->help().empty()) pages.push_back({"In this room", room_->help()});
@@ -365,7 +390,7 @@ void App::keep_settings() {
         settings_.height = static_cast<int>(std::lround(display_->size().y / display_->scale()));
     }
     const auto kept = view::write_settings(settings_, settings_path_);
-    if (!kept) fmt::print(stderr, "surefoot-playground: {}\n", kept.error().text);
+    if (!kept) fail(ExitCode::failed, kept.error().text);
 }
 
 }  // namespace surefoot::playground

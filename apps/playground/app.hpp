@@ -94,6 +94,7 @@ private:
     bool is_painted_ = true;  // is the frame that was collected last in the framebuffer?
     bool quit_ = false;
     std::string failure_;
+    std::string told_failure_;  // of the room
     ExitCode code_ = ExitCode::ok;
     std::vector<double> frame_times_;       // [s]
     std::vector<double> frame_processing_;  // of all threads together [s]

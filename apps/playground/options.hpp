@@ -22,6 +22,7 @@ enum class ExitCode : int {
 struct Options {
     std::string room;
     std::string only_room{};  ///< a program of its own: no start screen, no help and overlay of the house
+    std::string program = "surefoot-playground";  ///< before what is told to a terminal
     std::string title = "Surefoot playground";
     int beat = 0;           ///< of the platformer's level: seen as its picture is taken
     bool bot = false;       ///< a bot plays where there is a game
@@ -39,6 +40,7 @@ struct Options {
     std::string screenshot;
     std::string contact_sheet;
     std::optional<view::ivec2> size;
+    std::optional<view::ivec2> window{};  ///< how large it was when it was closed, where the house does not know
     std::string preset;
     double scale = 1;
     std::string settings;

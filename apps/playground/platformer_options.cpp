@@ -6,6 +6,7 @@
 
 #include <surefoot/version.hpp>
 
+#include "platformer/screens/game_settings.hpp"
 #include "playground/picture_options.hpp"
 
 namespace surefoot::playground {
@@ -36,15 +37,18 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
     program.get_formatter()->column_width(28);
     program.footer(footer);
     options.only_room = "platformer";
+    options.program = "surefoot-platformer";
     options.title = "Surefoot platformer";
     std::string size;
-    program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb; or watch a .run");
+    auto* const level =
+        program.add_option("LEVEL", options.level, "Play this level at once: its name, or a .glb; or watch a .run");
     program.add_option("--from", options.watch_from, "Watch the .run from this second on")
         ->check(CLI::Range(0.0, 36000.0))
         ->type_name("SECONDS");
     program.add_flag("--bot", options.bot, "A bot plays");
     program.add_option("--beat", options.beat, "See this beat of the level, as its picture in docs/levels is taken")
-        ->check(CLI::Range(1, 100));
+        ->check(CLI::Range(1, 100))
+        ->needs(level);
     program
         .add_option("--session", options.session,
                     "Somebody is tested: forms, F9 for a note, F10 for a mark; everything is kept in a folder in DIR")
@@ -65,6 +69,9 @@ std::optional<ExitCode> read_platformer_options(int argc, const char* const* arg
         return ExitCode::usage;
     }
     if (!take_size(size, "surefoot-platformer", options)) return ExitCode::usage;
+    const auto kept =
+        platformer::read_game_settings(options.settings.empty() ? platformer::game_settings_path() : options.settings);
+    if (kept) options.window = view::ivec2(kept->width, kept->height);
     return std::nullopt;
 }
 

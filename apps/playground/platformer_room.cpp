@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 
 #include "platformer/play/pilot.hpp"
 #include "platformer/play/theatre.hpp"
@@ -14,10 +15,15 @@ namespace fs = std::filesystem;
 
 constexpr double tick = 1.0 / 60;
 
-// The levels that came with the program: named by the environment, beside the program, or where it was built.
+// The levels that came with the program: named by the environment, where the program was installed, or where it was
+// built.
 std::string own_levels() {
     if (const char* const named = std::getenv("SUREFOOT_PLATFORMER_LEVELS"); named != nullptr && *named != '\0')
         return named;
+    std::error_code error;
+    const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path installed = here / SUREFOOT_BIN_TO_LEVELS;
+    if (!error && fs::is_directory(installed, error)) return installed.lexically_normal().string();
     return SUREFOOT_OWN_LEVELS;
 }
 
@@ -31,7 +37,12 @@ public:
         options.background = !stage.headless;
         options.beat = stage.beat;
         options.session = stage.session;
+        options.remark = stage.remark;
+        if (stage.is_only_room && !stage.settings_file.empty())
+            options.settings = fs::absolute(stage.settings_file).string();
+        options.keeps_window = stage.is_only_room && !stage.has_size && !stage.headless;
         if (stage.bot) options.pilot = platformer::bot_pilot();
+        options.pilot_goes_on = !stage.headless;  // where a script looks, what is won stays in sight
         options.level_folders.insert(options.level_folders.begin(), own_levels());
         if (!stage.level.empty()) {
             const fs::path level(stage.level);
@@ -39,7 +50,8 @@ public:
             if (is_recording) options.watch = stage.level;
             options.watch_from = stage.watch_from;
             if (!is_recording) options.level = level.stem().string();
-            if (!is_recording && level.has_parent_path()) options.level_folders.push_back(level.parent_path().string());
+            // A name without an ending is one of the levels that are there.
+            if (!is_recording && level.has_extension()) options.level_file = fs::absolute(level).string();
         }
         theatre_ = std::make_unique<platformer::Theatre>(stage.display, stage.renderer, std::move(options));
         sky_ = stage.renderer.sky;
@@ -55,7 +67,8 @@ public:
 
     bool update(double) override {
         theatre_->tick();
-        for (const std::string& notice : theatre_->take_notices()) stage_->toasts.warn(notice);
+        for (const std::string& notice : theatre_->take_notices())
+            fmt::print(stderr, "{}: {}\n", stage_->program, notice);
         return true;
     }
 
@@ -63,7 +76,12 @@ public:
     void draw(view::Renderer&) override { theatre_->draw(stage_->waiting / tick); }
     void draw_over(unsigned framebuffer) override { theatre_->draw_over(framebuffer); }
     void ui() override {}
-    [[nodiscard]] double lower_edge() const override { return theatre_->lower_edge(); }
+    [[nodiscard]] std::optional<view::dvec2> place_of(std::string_view label) const override {
+        return theatre_->place_of(label);
+    }
+    [[nodiscard]] std::vector<std::string> labels() const override { return theatre_->labels(); }
+    [[nodiscard]] std::string failure() const override { return theatre_->failure(); }
+    [[nodiscard]] Expected<void> keep() override { return theatre_->keep(); }
     [[nodiscard]] bool wants_quit() const override { return theatre_->wants_quit(); }
 
 private:

@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "playground/level_loader.hpp"
 #include "playground/navigation/overlay.hpp"
@@ -39,6 +41,11 @@ struct Stage {
     bool bot = false;               ///< it plays, where there is a game
     double watch_from = 0;          ///< into a recording that is watched [s]
     std::string session{};          ///< the folder of an afternoon with people; empty: nobody is tested
+    bool is_only_room = false;      ///< of a program of its own, whose window and settings are the room's
+    bool has_size = false;          ///< of the window, from the command line
+    std::string program{};          ///< its name, before what is told to a terminal
+    std::string settings_file{};    ///< of that program, from the command line; empty: the usual one
+    std::string remark{};           ///< about the machine, for its user; empty: none
     double waiting = 0;             ///< time that has passed since the room's last tick [s, less than a tick]
 
     // What these call back belongs to the room that is open: once that is left, `done` is never called.
@@ -84,8 +91,16 @@ public:
     /// What lies flat over the world and under the panels; drawn at once, into this framebuffer object.
     virtual void draw_over(unsigned /*framebuffer*/) {}
 
-    /// So much at the window's lower edge is the room's own: messages stand above it [window units].
-    [[nodiscard]] virtual double lower_edge() const { return 0; }
+    /// For scripts, where the room draws what is to be clicked: the place of the thing with this label [window units],
+    /// and which there are.
+    [[nodiscard]] virtual std::optional<view::dvec2> place_of(std::string_view /*label*/) const { return std::nullopt; }
+    [[nodiscard]] virtual std::vector<std::string> labels() const { return {}; }
+
+    /// Why what the command line asked for cannot be had; empty: it can. Nobody waits for it where no user is.
+    [[nodiscard]] virtual std::string failure() const { return {}; }
+
+    /// What the room keeps when the program ends. Fails with `write_failed`.
+    [[nodiscard]] virtual Expected<void> keep() { return {}; }
 
     /// The user has had enough of the program.
     [[nodiscard]] virtual bool wants_quit() const { return false; }

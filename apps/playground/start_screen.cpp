@@ -1,6 +1,8 @@
 #include "playground/start_screen.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <imgui.h>
@@ -121,8 +123,9 @@ public:
             if (count++ % in_a_row != 0) ImGui::SameLine(0, letter);
             if (draw_card(card, width_of(in_a_row))) choose_(card.id);
         }
+        const float top = ImGui::GetWindowPos().y;
         ImGui::End();
-        draw_title(letter);
+        if (top > letter * 7.8F) draw_title(letter);  // else there is no room for it
     }
 
 private:
@@ -138,12 +141,19 @@ private:
         list.AddRectFilled(low, high, view::packed(hot ? rgb(0x27343F, 0.97) : rgb(0x1B242D, 0.93)), letter * 0.7F);
         list.AddRectFilled({low.x + letter, low.y + letter * 1.1F}, {low.x + letter * 2.6F, low.y + letter * 1.3F},
                            view::packed(view::paint::accent), letter * 0.1F);
-        const auto text = [&](ImFont* font, float y, view::Colour colour, std::string_view words) {
-            list.AddText(font, font->FontSize * ImGui::GetIO().FontGlobalScale, {low.x + letter, low.y + y},
-                         view::packed(colour), words.data(), words.data() + words.size(), wide - 2 * letter);
-        };
-        text(view::fonts().large, letter * 1.7F, rgb(0xF2F5F7), card.name);
-        text(view::fonts().plain, letter * 4.1F, rgb(0xA9B7C2), card.blurb);
+        const float scale = ImGui::GetIO().FontGlobalScale;
+        const float page = wide - 2 * letter;
+        // A name is one line, as large as that goes; a sentence has several.
+        ImFont* const large = view::fonts().large;
+        const char* const end = card.name.data() + card.name.size();
+        const float width = large->CalcTextSizeA(large->FontSize * scale, FLT_MAX, 0, card.name.data(), end).x;
+        list.AddText(large, large->FontSize * scale * std::min(1.0F, page / std::max(width, 1.0F)),
+                     {low.x + letter, low.y + letter * 1.7F}, view::packed(rgb(0xF2F5F7)), card.name.data(), end);
+        list.PushClipRect(low, high, true);
+        ImFont* const plain = view::fonts().plain;
+        list.AddText(plain, plain->FontSize * scale, {low.x + letter, low.y + letter * 4.1F},
+                     view::packed(rgb(0xA9B7C2)), card.blurb.data(), card.blurb.data() + card.blurb.size(), page);
+        list.PopClipRect();
         return pressed;
     }
 

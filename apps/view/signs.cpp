@@ -88,6 +88,12 @@ double flag(const dvec2& p) {
     return std::min(bar(p, {-0.6, -0.85}, {-0.6, 0.88}, 0.22), polygon(p, cloth) - 0.05);
 }
 
+/// Light that rises in a gate.
+double beam(const dvec2& p) {
+    const double posts = std::min(bar(p, {-0.68, -0.6}, {-0.68, 0.84}, 0.24), bar(p, {0.68, -0.6}, {0.68, 0.84}, 0.24));
+    return std::min({posts, bar(p, {-0.84, -0.7}, {0.84, -0.7}, 0.26), bar(p, {0, -0.22}, {0, 0.84}, 0.34)});
+}
+
 double gamepad(const dvec2& p) {
     const double body = std::min({box(p, {0, -0.06}, {0.86, 0.44}, 0.4), bar(p, {-0.66, 0.1}, {-0.74, 0.46}, 0.44),
                                   bar(p, {0.66, 0.1}, {0.74, 0.46}, 0.44)});
@@ -184,6 +190,8 @@ double distance_to(Sign sign, const dvec2& p) {
             return play(p);
         case Sign::enemy:
             return enemy(p);
+        case Sign::beam:
+            return beam(p);
         case Sign::count:
             break;
     }

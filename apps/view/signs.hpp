@@ -9,7 +9,7 @@ namespace surefoot::view {
 // clang-format off
 enum class Sign : std::uint8_t {
     heart, coin, star, key, clock, skull, flag, gamepad, keyboard, mouse, lock, door, arrow, check, medal, ghost, play,
-    enemy,
+    enemy, beam,
     count,
 };
 // clang-format on

@@ -51,3 +51,11 @@ if [[ -x $tree/bin/surefoot ]]; then
     echo "== The installed program"
     "$tree/bin/surefoot" --help >/dev/null
 fi
+
+if [[ -x $tree/bin/surefoot-platformer ]]; then
+    echo "== The installed platformer finds its levels and its importer, wherever the tree was moved to"
+    levels=$tree/share/surefoot/levels/platformer
+    [[ -f $levels/campaign.txt && $(find "$levels" -type f | grep -vc '\.glb$') == 1 ]] || { ls -R "$levels"; exit 1; }
+    cp "$levels/first-steps.glb" "$levels/only-here.glb"
+    env -u SUREFOOT_IMPORTER -u SUREFOOT_PLATFORMER_LEVELS "$tree/bin/surefoot-platformer" only-here --headless --frames 5
+fi

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
+#include "game/campaign.hpp"
 #include "game/game.hpp"
 
 namespace surefoot::game {
@@ -113,16 +115,21 @@ INSTANTIATE_TEST_SUITE_P(all, PlatformerLevel, testing::ValuesIn(levels_in(SUREF
 
 TEST(PlatformerLevels, are_six_in_order_and_a_secret_one) {
     std::set<int> orders;
+    std::map<int, std::string> campaign;
     int secrets = 0;
     for (const std::string& path : levels_in(SUREFOOT_LEVELS_DIR "/platformer")) {
         const auto level = read_level(path);
         ASSERT_TRUE(level.has_value()) << level.error().text;
         EXPECT_TRUE(orders.insert(level->order).second) << path;
+        campaign[level->order] = level->id;
         secrets += level->secret ? 1 : 0;
         EXPECT_EQ(level->stars_needed, level->secret ? 12 : 0) << path;
     }
     EXPECT_EQ(orders, (std::set<int>{1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(secrets, 1);
+    std::vector<std::string> in_order;
+    for (const auto& [order, id] : campaign) in_order.push_back(id);
+    EXPECT_EQ(campaign_in(SUREFOOT_LEVELS_DIR "/platformer"), in_order);
 }
 
 }  // namespace

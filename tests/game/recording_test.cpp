@@ -4,7 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <thread>
 
+#include "game/campaign.hpp"
+#include "game/file_lock.hpp"
 #include "game/progress.hpp"
 #include "game/whole_file.hpp"
 #include "level_maker.hpp"
@@ -216,6 +219,74 @@ TEST(GameProgress, LevelsOpenOneAfterTheOtherAndTheSecretOneByItsStars) {
     EXPECT_TRUE(progress.is_open(secret, all));
     progress.levels["first"].stars = {0};
     EXPECT_FALSE(progress.is_open(secret, all));
+    progress.levels["secret"].won = true;
+    EXPECT_TRUE(progress.is_open(secret, all)) << "begun from the command line, and won";
+}
+
+// The defect: it was locked until the last level of the campaign was won.
+TEST(GameProgress, ALevelThatIsNoPartOfTheCampaignIsOpen) {
+    Level first = *LevelMaker().level;
+    Level own = first;
+    first.id = "first";
+    own.id = "own";
+    own.order = 50;
+    EXPECT_TRUE(Progress().is_open(own, std::vector<const Level*>{&first}));
+}
+
+TEST(GameProgress, WhatAnotherProgramDidMeanwhileIsMergedToTheBestOfBoth) {
+    Progress ours;
+    ours.levels["first"] = {
+        .won = true, .best_seconds = 30, .medal = Medal::gold, .best_coins = 2, .stars = {0}, .runs = 3};
+    Progress theirs;
+    theirs.levels["first"] = {
+        .won = true, .best_seconds = 50, .medal = Medal::silver, .best_coins = 5, .stars = {2}, .runs = 4};
+    theirs.levels["second"] = {.won = true, .best_seconds = 70};
+    theirs.levels["third"] = {.runs = 1};
+    ours.levels["third"] = {.won = true, .best_seconds = 9};
+    ours.merge(theirs);
+    EXPECT_EQ(ours.levels["first"].best_seconds, 30);
+    EXPECT_EQ(ours.levels["first"].medal, Medal::gold);
+    EXPECT_EQ(ours.levels["first"].best_coins, 5);
+    EXPECT_EQ(ours.levels["first"].stars, (std::set<std::uint32_t>{0, 2}));
+    EXPECT_EQ(ours.levels["first"].runs, 4U);
+    EXPECT_TRUE(ours.levels["second"].won);
+    EXPECT_EQ(ours.levels["second"].best_seconds, 70);
+    EXPECT_EQ(ours.levels["third"].best_seconds, 9) << "who has not won has no time";
+}
+
+TEST(GameFileLock, KeepsASecondOneOutUntilTheFirstIsGone) {
+    const std::string path = scratch("locked/kept.json");
+    int count = 0;  // not atomic: the lock is what orders them
+    const auto work = [&] {
+        for (int i = 0; i < 20; ++i) {
+            const FileLock lock(path);
+            EXPECT_TRUE(lock.is_held());
+            const int before = count;
+            std::this_thread::yield();
+            count = before + 1;
+        }
+    };
+    std::thread other(work);
+    work();
+    other.join();
+    EXPECT_EQ(count, 40);
+}
+
+TEST(GameFileLock, OneThatWasLeftBehindIsTakenAway) {
+    const std::string path = scratch("left/kept.json");
+    std::filesystem::create_directories(path + ".lock");
+    std::filesystem::last_write_time(path + ".lock",
+                                     std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+    const FileLock lock(path);
+    EXPECT_TRUE(lock.is_held());
+}
+
+TEST(GameCampaign, IsWhatTheFolderSaysInItsOrder) {
+    const std::string folder = scratch("campaign");
+    std::filesystem::remove_all(folder);
+    EXPECT_TRUE(campaign_in(folder).empty());
+    ASSERT_TRUE(write_whole(folder + "/campaign.txt", "# a remark\n second \r\nfirst # and another\n\n"));
+    EXPECT_EQ(campaign_in(folder), (std::vector<std::string>{"second", "first"}));
 }
 
 }  // namespace

@@ -83,6 +83,31 @@ TEST(GameRules, WithoutHeartsItIsLostAndRetryGoesOnFromTheCheckpoint) {
     EXPECT_EQ(game->outcome(), Outcome::won);
 }
 
+// The defect: R in the middle of a game gave all hearts back, again and again.
+TEST(GameRules, WhoGoesBackToTheCheckpointOfTheirOwnAccordKeepsTheHeartsThatAreLeft) {
+    const auto game = LevelMaker().start();
+    run_to(*game, {60, 0, 0}, 6);
+    ASSERT_EQ(game->hero().health, most_health - 1);
+    run_to(*game, {5, 0, 0}, 1);
+    game->retry();
+    EXPECT_NEAR(game->feet().x, 0, 0.1);
+    EXPECT_EQ(game->hero().health, most_health - 1);
+    EXPECT_EQ(game->deaths(), 1U) << "it costs nothing either";
+}
+
+// The defect: it was lost again in the next tick, for ever.
+TEST(GameRules, OnceTheTimeIsUpThereIsNoRetry) {
+    LevelMaker maker;
+    maker.level->time_limit = 5;
+    const auto game = maker.start();
+    EXPECT_TRUE(game->can_retry());
+    play(*game, 5.1);
+    ASSERT_EQ(game->cause(), Cause::time);
+    EXPECT_FALSE(game->can_retry());
+    game->retry();
+    EXPECT_EQ(game->outcome(), Outcome::lost);
+}
+
 TEST(GameRules, EveryGameEnds) {
     LevelMaker maker;
     maker.level->time_limit = 5;

@@ -69,7 +69,7 @@ struct Painter {
             canvas.sign(Sign::star, {x, y}, 22, ringed(i < hud.stars ? palette.star : with_opacity(palette.ink, 0.55)));
         x = margin + 15;
         for (const std::string& key : hud.keys) {
-            canvas.sign(Sign::key, {x, y + 32}, 24, ringed(palette.key));
+            canvas.sign(Sign::key, {x, y + 32}, 24, ringed(key_colour(key, look.colours)));
             x += 18;
             x += canvas.text(key, {x, y + 37}, small) + 22;
         }
@@ -111,13 +111,13 @@ struct Painter {
         canvas.fade(1);
     }
 
-    void watching() const {
+    /// In the middle of the upper edge.
+    void pill(std::string_view words, Sign sign) const {
         const double x = canvas.size().x / 2;
-        const double width = canvas.width_of("Watching a recorded run", {.size = 14}) + 44;
+        const double width = canvas.width_of(words, {.size = 14}) + 44;
         canvas.box({{x - width / 2, margin - 2}, {x + width / 2, margin + 24}}, 13, with_opacity(palette.ink, 0.75));
-        canvas.sign(Sign::play, {x - width / 2 + 16, margin + 11}, 13, palette.accent);
-        canvas.text("Watching a recorded run", {x - width / 2 + 30, margin + 16},
-                    {.size = 14, .colour = palette.paper});
+        canvas.sign(sign, {x - width / 2 + 16, margin + 11}, 13, palette.accent);
+        canvas.text(words, {x - width / 2 + 30, margin + 16}, {.size = 14, .colour = palette.paper});
     }
 
     void prompt() const;
@@ -217,19 +217,19 @@ void Painter::markers(const Rect& map) const {
     for (const HudMarker& marker : hud.markers) {
         const auto edge = edge_place(hud.camera, marker.place, size, from_edge);
         if (!edge) continue;
-        Sign sign = Sign::flag;
+        Sign sign = Sign::beam;
         Colour colour = palette.goal;
         switch (marker.kind) {
             case HudMarker::Kind::goal:
                 break;
             case HudMarker::Kind::checkpoint:
-                sign = Sign::check, colour = palette.checkpoint;
+                sign = Sign::flag, colour = palette.checkpoint;
                 break;
             case HudMarker::Kind::key:
-                sign = Sign::key, colour = palette.key;
+                sign = Sign::key, colour = key_colour(marker.door, look.colours);
                 break;
             case HudMarker::Kind::door:
-                sign = Sign::door, colour = palette.key;
+                sign = Sign::door, colour = key_colour(marker.door, look.colours);
                 break;
             case HudMarker::Kind::star:
                 sign = Sign::star, colour = palette.star;
@@ -243,6 +243,11 @@ void Painter::markers(const Rect& map) const {
         const dvec2 way(std::sin(edge->turn), -std::cos(edge->turn));
         canvas.disc(at, 19, Fill(with_opacity(palette.ink, 0.75)).edged(colour, 2));
         canvas.sign(sign, at, 21, colour);
+        // Which key, and which door, is told by a letter too.
+        if (!marker.door.empty())
+            canvas.text(
+                key_sign(marker.door), at + dvec2(17, 19),
+                {.size = 17, .colour = palette.paper, .face = Face::bold, .align = Align::middle, .edge_width = 2.2});
         const dvec2 side(-way.y, way.x);
         canvas.triangle(at + way * 33.0, at + way * 23.0 + side * 8.0, at + way * 23.0 - side * 8.0, ringed(colour), 1);
         const double metres = glm::length(marker.place - hud.hero);
@@ -331,7 +336,8 @@ void draw_hud(Canvas& canvas, const HudView& hud, const Plan* plan, const HudLoo
     paint.hearts();
     paint.counts();
     if (look.timer) paint.clock();
-    if (hud.watching) paint.watching();
+    if (hud.watching) paint.pill("Watching a recorded run", Sign::play);
+    if (!hud.mark.empty()) paint.pill(hud.mark, Sign::check);
     paint.section();
     if (map.size().x > 0) draw_minimap(canvas, *plan, hud.map, map, hud.hero, hud.facing, hud.camera.forward, palette);
     paint.prompt();

@@ -21,6 +21,7 @@ struct HudMarker {
     enum class Kind : std::uint8_t { goal, checkpoint, key, door, star, ghost };
     Kind kind = Kind::goal;
     dvec3 place{0, 0, 0};  ///< in the level [m]
+    std::string door{};    ///< of a key or a door: its name
 };
 
 /// Something hurt. The arc fades with its age.
@@ -52,6 +53,7 @@ struct HudView {
     double since_coin = 1e9;    ///< [s]
     double since_health = 1e9;  ///< since it changed [s]
     bool watching = false;      ///< a recording, not a player
+    std::string mark{};         ///< a word for the observer of somebody who is tested; empty: none
     view::Camera camera{};
     view::ivec2 window{800, 600};  ///< that the camera's picture fills [any unit]
 };

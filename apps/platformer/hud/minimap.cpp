@@ -62,9 +62,9 @@ Sign sign_of(MapItem::Kind kind) {
         case MapItem::Kind::enemy:
             return Sign::enemy;
         case MapItem::Kind::checkpoint:
-            return Sign::check;
-        case MapItem::Kind::goal:
             return Sign::flag;
+        case MapItem::Kind::goal:
+            return Sign::beam;
         case MapItem::Kind::ghost:
             return Sign::ghost;
     }
@@ -172,7 +172,8 @@ void draw_minimap(view::Canvas& canvas, const Plan& plan, std::span<const MapIte
         }
         const bool is_coin = item.kind == MapItem::Kind::coin;
         const double size = is_coin ? 5 : 13;
-        const Fill fill = Fill(colour_of(item.kind, palette)).edged(with_opacity(palette.ink, 0.9), 1.2);
+        const Fill fill =
+            Fill(item.colour.value_or(colour_of(item.kind, palette))).edged(with_opacity(palette.ink, 0.9), 1.2);
         if (is_coin)
             canvas.disc(middle + at, size / 2, fill);
         else

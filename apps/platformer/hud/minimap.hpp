@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,8 @@ namespace surefoot::platformer {
 struct MapItem {
     enum class Kind : std::uint8_t { coin, star, heart, key, enemy, checkpoint, goal, ghost };
     Kind kind = Kind::coin;
-    dvec3 place{0, 0, 0};  ///< [m]
+    dvec3 place{0, 0, 0};                  ///< [m]
+    std::optional<view::Colour> colour{};  ///< another one than its kind has
 };
 
 /// A level's plan: north, -Z, is up; the higher a floor, the lighter; edges of floors are drawn.

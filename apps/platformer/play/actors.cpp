@@ -1,9 +1,7 @@
 #include "platformer/play/actors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "platformer/hero/props.hpp"
 
@@ -36,22 +34,13 @@ double distance(const dvec3& a, const dvec3& b) {
     return std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
 }
 
-}  // namespace
-
-view::Colour key_colour(const std::string& door) {
-    struct Named {
-        std::string_view name;
-        view::Colour colour;
-    };
-    static constexpr std::array named{Named{"red", view::rgb(0xE2483D)},    Named{"blue", view::rgb(0x3E82E5)},
-                                      Named{"green", view::rgb(0x49B75A)},  Named{"yellow", view::rgb(0xF2C230)},
-                                      Named{"violet", view::rgb(0x9B5DE5)}, Named{"white", view::rgb(0xF3EFE6)}};
-    for (const Named& known : named)
-        if (known.name == door) return known.colour;
-    std::uint32_t sum = 0;
-    for (const char letter : door) sum = sum * 31 + static_cast<unsigned char>(letter);
-    return named[sum % named.size()].colour;
+/// Beside whoever begins there: the pole is not in their way, nor in that of the camera.
+dvec3 flag_place(const game::Checkpoint& checkpoint) {
+    constexpr double aside = 0.7;  // [m]: a platform is 1.6 m wide at least
+    return checkpoint.feet + dvec3{-checkpoint.facing.z, 0, checkpoint.facing.x} * aside;
 }
+
+}  // namespace
 
 Actors::Actors(const game::Game& game)
     : pickups_(game.level().pickups.size(), 1.0), flags_(game.level().checkpoints.size(), 0.0) {
@@ -165,13 +154,13 @@ void Actors::draw(view::Renderer& renderer, const game::Game& game, double blend
                 draw_heart(renderer, plan.place, moment);
                 break;
             case game::PickupKind::key:
-                draw_key(renderer, plan.place, moment, key_colour(plan.door));
+                draw_key(renderer, plan.place, moment, key_colour(plan.door, colours_));
                 break;
         }
     }
     const PropMoment moment{.clock = clock_, .calm = reduced_motion_};
     for (std::size_t i = 1; i < flags_.size(); ++i)
-        draw_checkpoint(renderer, level.checkpoints[i].feet, moment, flags_[i]);
+        draw_checkpoint(renderer, flag_place(level.checkpoints[i]), moment, flags_[i]);
     draw_goal(renderer, level.goal, moment, level.goal_radius);
     for (const DrawnEnemy& enemy : enemies_)
         if (enemy.is_alive || enemy.gone_for <= stomped_time)

@@ -7,6 +7,7 @@
 #include "platformer/hero/enemy.hpp"
 #include "platformer/hero/particles.hpp"
 #include "platformer/hero/pose.hpp"
+#include "platformer/screens/palette.hpp"
 #include "view/renderer.hpp"
 
 namespace surefoot::platformer {
@@ -19,6 +20,9 @@ public:
     void tick(const game::Game& game, const HeroPose& pose, const CharacterState& before, bool reduced_motion);
 
     void draw(view::Renderer& renderer, const game::Game& game, double blend) const;
+
+    /// Keys have the colours that these eyes tell apart.
+    void set_colours(ColourVision colours) { colours_ = colours; }
 
     [[nodiscard]] const Particles& particles() const { return particles_; }
 
@@ -38,9 +42,7 @@ private:
     Particles particles_;
     double clock_ = 0;
     bool reduced_motion_ = false;
+    ColourVision colours_ = ColourVision::usual;
 };
-
-/// Keys and their doors have the same colour, by the name that they share.
-[[nodiscard]] view::Colour key_colour(const std::string& door);
 
 }  // namespace surefoot::platformer

@@ -31,22 +31,25 @@ void add_markers(const game::Game& game, HudView& hud) {
             {HudMarker::Kind::checkpoint, level.checkpoints[game.checkpoint() + 1].feet + dvec3{0, 1.5, 0}});
     for (const game::Pickup& pickup : game.pickups())
         if (level.pickups[pickup.plan].kind == PickupKind::key)
-            hud.markers.push_back({HudMarker::Kind::key, level.pickups[pickup.plan].place});
+            hud.markers.push_back(
+                {HudMarker::Kind::key, level.pickups[pickup.plan].place, level.pickups[pickup.plan].door});
     for (const game::MovingBody& body : game.bodies()) {
         const game::BodyPlan& plan = level.bodies[body.plan];
         const bool has_key = std::ranges::find(game.keys(), plan.door) != game.keys().end();
         if (plan.kind == BodyKind::door && body.is_there && has_key)
-            hud.markers.push_back({HudMarker::Kind::door, plan.origin});
+            hud.markers.push_back({HudMarker::Kind::door, plan.origin, plan.door});
     }
 }
 
-void add_map(const Run& run, HudView& hud) {
+void add_map(const Run& run, ColourVision colours, HudView& hud) {
     const game::Game& game = run.game();
     const game::Level& level = game.level();
     for (const game::Pickup& pickup : game.pickups()) {
-        // Where stars are is for the player to find.
-        if (level.pickups[pickup.plan].kind != PickupKind::star)
-            hud.map.push_back({map_kind(level.pickups[pickup.plan].kind), level.pickups[pickup.plan].place});
+        const game::PickupPlan& plan = level.pickups[pickup.plan];
+        if (plan.kind == PickupKind::star) continue;  // where those are is for the player to find
+        MapItem item{map_kind(plan.kind), plan.place};
+        if (plan.kind == PickupKind::key) item.colour = key_colour(plan.door, colours);
+        hud.map.push_back(item);
     }
     for (const game::Enemy& enemy : game.enemies()) hud.map.push_back({MapItem::Kind::enemy, enemy.body.position});
     for (std::size_t i = game.checkpoint() + 1; i < level.checkpoints.size(); ++i)
@@ -75,7 +78,7 @@ HudView hud_of(const Run& run, const Screens& screens, const view::Camera& camer
         hud.prompt = prompt_parts(prompt->text, screens.settings().bindings, screens.device());
     add_markers(game, hud);
     if (run.since_hurt() < 2) hud.hurts.push_back({run.hurt_from(), run.since_hurt()});
-    add_map(run, hud);
+    add_map(run, screens.settings().colours, hud);
     hud.hero = game.hero().body.position;
     hud.facing = game.hero().facing;
     hud.hero_height = 1.6;

@@ -15,19 +15,27 @@ namespace surefoot::platformer {
 
 class Library {
 public:
-    /// Begins to read the levels of these folders; of two with one id the later folder's counts. `at_once`: and waits.
-    void open(const std::vector<std::string>& folders, bool at_once);
+    /// A file that is no level, and why.
+    struct Broken {
+        std::string file;
+        std::string why;
+    };
+
+    /// Begins to read the levels of these folders, and `file` alone of its folder (empty: none); of two with one id the
+    /// later one counts. `at_once`: and waits.
+    void open(const std::vector<std::string>& folders, const std::string& file, bool at_once);
 
     /// True once, when all are read.
     [[nodiscard]] bool update();
     [[nodiscard]] bool is_ready() const { return ready_; }
 
-    /// In the order of playing: by `order`, secret ones last.
+    /// In the order of playing: those of the campaign, then the player's own by their `order`; secret ones last of
+    /// each.
     [[nodiscard]] const std::vector<std::shared_ptr<const game::Level>>& levels() const { return levels_; }
     [[nodiscard]] std::shared_ptr<const game::Level> find(const std::string& id) const;
 
-    /// What could not be read, in words.
-    [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+    /// What could not be read.
+    [[nodiscard]] const std::vector<Broken>& broken() const { return broken_; }
 
     /// For the level select. `recordings` is where the best runs are kept.
     [[nodiscard]] std::vector<LevelCard> cards(const game::Progress& progress, const std::string& recordings) const;
@@ -35,14 +43,17 @@ public:
 private:
     struct Read {
         std::vector<std::shared_ptr<const game::Level>> levels;
-        std::vector<std::string> complaints;
+        std::vector<std::string> campaign;
+        std::vector<Broken> broken;
     };
-    static Read read(const std::vector<std::string>& folders);
+    static Read read(const std::vector<std::string>& folders, const std::string& file);
+    [[nodiscard]] bool is_own(const game::Level& level) const;
     void take(Read read);
 
     std::future<Read> reading_;
     std::vector<std::shared_ptr<const game::Level>> levels_;
-    std::vector<std::string> complaints_;
+    std::vector<std::string> campaign_;  // ids
+    std::vector<Broken> broken_;
     bool ready_ = false;
 };
 

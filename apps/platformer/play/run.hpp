@@ -56,6 +56,9 @@ public:
     /// One tick. What happened in it is `game().events()`.
     void tick(const Asked& asked, const CameraSettings& camera);
 
+    /// For eyes of this kind.
+    void set_colours(ColourVision colours) { actors_->set_colours(colours); }
+
     /// From the checkpoint.
     void retry();
     void give_up();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -14,8 +15,6 @@ namespace surefoot::platformer {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr double show_win_after = 2.2;   // [s]: the hero dances first
-constexpr double show_lose_after = 1.2;  // [s]
 
 view::Camera looking(const dvec3& eye, const dvec3& at, double field_of_view) {
     const dvec3 way = at - eye;
@@ -56,6 +55,7 @@ Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOption
         note(read.error().text);
     if (display_.is_full_screen()) settings.full_screen = true;
     screens_ = Screens(settings);
+    screens_.set_remark(options_.remark);
     use_settings();
     follow_window();
     screens_.open_title();
@@ -64,7 +64,7 @@ Theatre::Theatre(view::Display& display, view::Renderer& renderer, TheatreOption
         session_.emplace(options_.session);
         screens_.ask(PlaySession::start_form());
     }
-    library_.open(options_.level_folders, !options_.background);
+    library_.open(options_.level_folders, options_.level_file, !options_.background);
     if (library_.is_ready()) levels_are_there();
 }
 
@@ -73,17 +73,19 @@ Theatre::~Theatre() {
 }
 
 void Theatre::show_cards() {
-    screens_.set_levels(library_.cards(progress_, options_.recordings));
+    std::vector<BrokenLevel> broken;
+    for (const Library::Broken& one : library_.broken())
+        broken.push_back({std::filesystem::path(one.file).filename().string(), one.why});
+    screens_.set_levels(library_.cards(progress_, options_.recordings), std::move(broken));
 }
 
 void Theatre::levels_are_there() {
     show_cards();
-    for (const std::string& complaint : library_.complaints()) note(complaint);
+    begin_named_level();
     if (library_.levels().empty()) {
         note("There are no levels. Where .glb files are to be put, docs/levels.md tells.");
         return;
     }
-    begin_named_level();
     if (!run_ && !preparation_.is_asked()) {
         show_backdrop();
         warm_next_level();
@@ -96,8 +98,10 @@ void Theatre::begin_named_level() {
     if (!options_.watch.empty() && watched_level_.empty()) {
         const auto recording = game::read_recording(options_.watch);
         watched_level_ = recording ? recording->level : std::string("?");
-        if (!recording) note(recording.error().text);
-        if (recording) {
+        is_named_ = true;
+        if (!recording) {
+            trouble("This recording cannot be watched", recording.error().text);
+        } else {
             screens_.begin_level(watched_level_, true);
             begin(watched_level_, Command::Kind::watch);
         }
@@ -105,6 +109,9 @@ void Theatre::begin_named_level() {
     }
     if (options_.level.empty()) return;
     const std::string id = std::exchange(options_.level, {});
+    is_named_ = true;
+    for (const Library::Broken& broken : library_.broken())
+        if (broken.file == options_.level_file) return trouble("This level cannot be played", broken.why);
     screens_.begin_level(id);
     begin(id, Command::Kind::start);
 }
@@ -129,6 +136,7 @@ bool Theatre::event(const view::InputEvent& event) {
     }
     // A press belongs to the window as it is now, and not as it was when it was drawn last.
     if (std::holds_alternative<view::Resize>(event)) lay_out();
+    if (pull_of(event)) idle_ = 0;
     if (session_ && session_->has_begun() && session_event(event)) return true;
     if (screens_.event(event)) return true;
     return screens_.is_playing() && controls_.event(event, screens_.settings().bindings);
@@ -138,6 +146,7 @@ void Theatre::use_settings() {
     const GameSettings& settings = screens_.settings();
     camera_settings_.field_of_view = settings.field_of_view * degree;
     camera_settings_.reduced_motion = settings.reduced_motion;
+    if (run_) run_->set_colours(settings.colours);
     speaker_.set_volumes({.master = settings.volume, .effects = settings.effects, .music = settings.music});
     if (settings.full_screen != display_.is_full_screen()) display_.set_full_screen(settings.full_screen);
 }
@@ -152,20 +161,20 @@ void Theatre::follow_window() {
 void Theatre::begin(const std::string& id, Command::Kind how) {
     const auto level = library_.find(id);
     if (!level) {
-        note("There is no level '" + id + "'.");
-        close_run();
-        screens_.open_title();
-        return;
+        std::string there;
+        for (const auto& one : library_.levels()) there += (there.empty() ? "" : ", ") + one->id;
+        return trouble("There is no level '" + id + "'",
+                       "There is no level '" + id + "'; there are: " + (there.empty() ? "none" : there) + ".");
     }
     Run::Plan plan{.level = level, .pilot = options_.pilot};
     if (how == Command::Kind::race || how == Command::Kind::watch) {
         const bool is_named = how == Command::Kind::watch && id == watched_level_;
         auto recording = game::read_recording(is_named ? options_.watch : best_run_path(options_.recordings, id));
-        if (!recording) {
-            note(recording.error().text);
-        } else if (recording->level_hash != level->hash) {
-            note("The level has changed since that run, so it cannot be played again.");
-        } else if (how == Command::Kind::race) {
+        if (!recording) return trouble("This recording cannot be watched", recording.error().text);
+        if (recording->level_hash != level->hash)
+            return trouble("This recording cannot be watched",
+                           "The level " + level->title + " has changed since that run, so it cannot be played again.");
+        if (how == Command::Kind::race) {
             plan.ghost = std::move(*recording);
         } else {
             plan.watched = std::make_shared<const game::Recording>(std::move(*recording));
@@ -183,13 +192,15 @@ void Theatre::take_prepared() {
 }
 
 void Theatre::play(Expected<Run::Prepared> prepared) {
-    if (!prepared) {
-        note(prepared.error().text);
-        close_run();
-        screens_.open_title();
-        return;
-    }
+    if (!prepared) return trouble("This level cannot be begun", prepared.error().text);
+    if (const std::size_t beats = prepared->plan.level->beats.size(); std::size_t(options_.beat) > beats)
+        return trouble("There is no such beat",
+                       fmt::format("There is no beat {} in {}: it has {}.", std::exchange(options_.beat, 0),
+                                   prepared->plan.level->id, beats));
+    is_named_ = false;
+    tries_ = 0;
     run_ = Run::start(std::move(*prepared));
+    run_->set_colours(screens_.settings().colours);
     const game::Level& level = run_->game().level();
     plan_ = plan_of(level);
     ortho_.set_picture(plan_->picture);
@@ -198,6 +209,7 @@ void Theatre::play(Expected<Run::Prepared> prepared) {
     screens_.show_ready();
     shown_end_ = false;
     kept_ = false;
+    idle_ = 0;
     over_for_ = 0;
     if (session_ && !run_->is_watched()) session_->begin_run(level);
     speaker_.music(level.music == "lively" ? sound::Piece::lively : sound::Piece::calm);
@@ -247,7 +259,11 @@ void Theatre::obey(const Command& command) {
             use_settings();
             break;
         case Command::Kind::keep:
-            if (!options_.settings.empty()) note_wrong(write_game_settings(screens_.settings(), options_.settings));
+            if (!options_.settings.empty()) {
+                const auto kept = write_game_settings(screens_.settings(), options_.settings);
+                settings_kept_ = kept.has_value();
+                note_wrong(kept);
+            }
             break;
         case Command::Kind::quit:
             if (!session_ || !session_->has_begun() || !screens_.ask(PlaySession::end_form())) quit_ = true;
@@ -262,68 +278,6 @@ void Theatre::obey(const Command& command) {
     }
 }
 
-void Theatre::keep_run() {
-    if (run_->is_watched() || kept_ || run_->game().ticks() == 0) return;
-    kept_ = true;
-    if (session_) note_wrong(session_->keep_run(run_->recording()));
-    const game::Game& game = run_->game();
-    const bool is_best = progress_.add(game);
-    if (run_->is_piloted()) return;  // what somebody else did is no progress to keep
-    if (!options_.progress.empty()) note_wrong(game::write_progress(options_.progress, progress_));
-    if (is_best && !options_.recordings.empty())
-        note_wrong(game::write_recording(best_run_path(options_.recordings, game.level().id), run_->recording()));
-}
-
-void Theatre::note_wrong(const Expected<void>& kept) {
-    if (!kept) note(kept.error().text);
-}
-
-void Theatre::end_of_run() {
-    const game::Game& game = run_->game();
-    const game::Level& level = game.level();
-    if (run_->is_watched()) {
-        if (run_->is_at_end()) screens_.show_replay_end();
-        shown_end_ = run_->is_at_end();
-        return;
-    }
-    if (game.outcome() == game::Outcome::won) {
-        WinResult result{.seconds = game.seconds(),
-                         .medal = static_cast<Medal>(level.medal(game.seconds())),
-                         .coins = game.coins(),
-                         .coins_all = level.count(game::PickupKind::coin),
-                         .stars = game.stars(),
-                         .stars_all = level.count(game::PickupKind::star),
-                         .deaths = int(game.deaths())};
-        const auto before = progress_.levels.find(level.id);
-        if (before != progress_.levels.end() && before->second.won) result.best_before = before->second.best_seconds;
-        shown_end_ = true;
-        keep_run();
-        show_cards();
-        screens_.show_win(result);
-    } else {
-        shown_end_ = true;
-        screens_.show_lose(
-            {.why = "The hero " + std::string(sentence(game.cause())) + ".",
-             .section = game.checkpoint() == 0 ? std::string() : level.checkpoints[game.checkpoint()].section,
-             .seconds = game.seconds()});
-    }
-}
-
-void Theatre::tick_run() {
-    Asked asked = controls_.take(screens_.settings(), game::tick_seconds);
-    if (asked.retry && run_->game().outcome() == game::Outcome::playing) run_->retry();
-    const std::size_t recorded = run_->recording().inputs.size();
-    run_->tick(asked, camera_settings_);
-    if (session_ && run_->recording().inputs.size() > recorded)
-        session_->tick(run_->recording().inputs.back(), run_->game());
-    ears_.tick(run_->game(), run_->pose_before(), run_->pose());
-    ears_.listen(run_->camera_at(1));
-    const bool is_over = run_->game().outcome() != game::Outcome::playing || run_->is_at_end();
-    over_for_ = is_over ? over_for_ + game::tick_seconds : 0;
-    const double wait = run_->game().outcome() == game::Outcome::won ? show_win_after : show_lose_after;
-    if (is_over && !shown_end_ && over_for_ >= wait) end_of_run();
-}
-
 void Theatre::obey_all() {
     while (const auto command = screens_.take()) obey(*command);
 }
@@ -336,12 +290,6 @@ void Theatre::lay_out() {
                          .per_window_unit = double(pixels.y) / std::max(display_.size().y, 1)});
 }
 
-double Theatre::lower_edge() const {
-    constexpr double prompt_height = 100;  // of two rows, and the air about them
-    const view::Layout& layout = screens_.layout();
-    return (screens_.is_playing() ? prompt_height : foot_height) * layout.pixels() / layout.per_window_unit;
-}
-
 void Theatre::tick() {
     seconds_ += game::tick_seconds;
     if (library_.update()) levels_are_there();
@@ -351,6 +299,8 @@ void Theatre::tick() {
     follow_window();
     if (!screens_.is_playing() && screens_.top() == ScreenId::getting_ready) take_prepared();
     if (std::string notice = speaker_.take_notice(); !notice.empty() && !options_.headless) note(notice);
+    show_notices();
+    go_on_by_itself();
     const bool plays = run_ != nullptr && screens_.is_playing();
     speaker_.pause(run_ != nullptr && !screens_.is_playing());
     if (!options_.headless && display_.is_pointer_captured() != plays) display_.capture_pointer(plays);
@@ -371,7 +321,11 @@ view::Camera Theatre::camera(double blend) const {
     const double angle = seconds_ * 0.12;
     const dvec3 middle = backdrop_->game().hero().body.position;
     const dvec3 eye = middle + dvec3{9 * std::sin(angle), 4.5, 9 * std::cos(angle)};
-    return looking(eye, middle + dvec3{0, 0.8, 0}, camera_settings_.field_of_view);
+    // The hero stands beside the menu and not behind it.
+    const view::dvec2 window(display_.size());
+    const double half = 9 * std::tan(camera_settings_.field_of_view / 2) * window.x / std::max(window.y, 1.0);
+    const dvec3 right{std::cos(angle), 0, -std::sin(angle)};
+    return looking(eye, middle + dvec3{0, 0.8, 0} - right * (0.5 * half), camera_settings_.field_of_view);
 }
 
 void Theatre::draw(double blend) {
@@ -388,12 +342,17 @@ void Theatre::draw_over(unsigned framebuffer) {
     letters_.next_frame();
     canvas_.begin(screens_.layout());
     const GameSettings& settings = screens_.settings();
-    if (run_ && screens_.is_playing())
-        draw_hud(canvas_, hud_of(*run_, screens_, seen_, display_.size()), plan_ ? &*plan_ : nullptr,
+    if (run_ && screens_.is_playing()) {
+        HudView hud = hud_of(*run_, screens_, seen_, display_.size());
+        hud.mark = mark_;
+        if (hud.prompt.empty() && hint_left_ > 0)
+            hud.prompt = prompt_parts(hint_, screens_.settings().bindings, screens_.device());
+        draw_hud(canvas_, hud, plan_ ? &*plan_ : nullptr,
                  {.colours = settings.colours,
                   .reduced_motion = settings.reduced_motion,
                   .timer = settings.timer,
                   .minimap = settings.minimap});
+    }
     if (!screens_.is_playing()) draw_screens(canvas_, screens_, seconds_);
     ortho_.draw(canvas_, framebuffer);
 }

@@ -27,6 +27,7 @@ namespace surefoot::platformer {
 struct TheatreOptions {
     std::vector<std::string> level_folders;  ///< where the .glb files are
     std::string level;                       ///< begins at once, by id; empty: the title
+    std::string level_file{};                ///< of one more level, beside those of the folders
     std::string watch{};                     ///< a recording's file, to be watched at once
     double watch_from = 0;                   ///< into it [s]
     std::string settings;                    ///< its file; empty: nothing is kept
@@ -36,7 +37,10 @@ struct TheatreOptions {
     bool headless = false;                   ///< no device for sound, no pointer to be caught
     bool background = false;                 ///< levels are read and made ready beside the drawing, not at once
     int beat = 0;                            ///< of the level: seen as its picture is taken; 0: it is played
-    Pilot pilot{};                           ///< plays instead of the player
+    bool keeps_window = false;               ///< its size is one of the settings
+    std::string remark{};                    ///< about the machine, for the options screen
+    Pilot pilot{};                           ///< plays instead of the player; tries again by itself
+    bool pilot_goes_on = false;              ///< to the next level, too
 };
 
 /// Where the user's files are; all empty if the environment names no folder.
@@ -61,17 +65,26 @@ public:
     /// The player has had enough.
     [[nodiscard]] bool wants_quit() const { return quit_; }
 
-    /// What has to be told to the player, once.
+    /// What was told to the player, once: for a log. They are shown on the screens, one after the other.
     [[nodiscard]] std::vector<std::string> take_notices();
+
+    /// Why what the options asked for at once cannot be had: the level, the recording, the beat. Else empty.
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+
+    /// For scripts: where the entry with this label is to be clicked [window units], and which there are.
+    [[nodiscard]] std::optional<view::dvec2> place_of(std::string_view label) const;
+    [[nodiscard]] std::vector<std::string> labels() const;
+
+    /// What is kept at the end of the program. Fails with `write_failed`.
+    [[nodiscard]] Expected<void> keep();
 
     [[nodiscard]] const Screens& screens() const { return screens_; }
     [[nodiscard]] const Run* run() const { return run_.get(); }
     [[nodiscard]] const Library& library() const { return library_; }
     [[nodiscard]] const game::Progress& progress() const { return progress_; }
+    /// What the game teaches at the moment, as a prompt; empty: nothing.
+    [[nodiscard]] std::string_view hint() const { return hint_left_ > 0 ? hint_ : std::string_view(); }
     [[nodiscard]] const PlaySession* session() const { return session_ ? &*session_ : nullptr; }
-
-    /// What of the lower edge is the screens' own, so that nothing is laid over it [window units].
-    [[nodiscard]] double lower_edge() const;
 
 private:
     void obey(const Command& command);
@@ -94,8 +107,13 @@ private:
     bool session_event(const view::InputEvent& event);
     void take_answers();
     void note_wrong(const Expected<void>& kept);
+    void trouble(const std::string& title, const std::string& why);
+    void merge_progress();
+    void show_notices();
+    void go_on_by_itself();
+    void teach();
     [[nodiscard]] const game::Beat* beat() const;
-    void note(const std::string& text) { notices_.push_back(text); }
+    void note(const std::string& text);
 
     view::Display& display_;
     view::Renderer& renderer_;
@@ -117,11 +135,21 @@ private:
     std::optional<Plan> plan_;  // of the level that is played
     view::Camera seen_{};       // from where the last frame was
     std::vector<std::string> notices_;
+    std::vector<std::string> unsaid_;  // of the notices: they wait for a screen, so that nothing covers the game
+    std::string mark_;                 // over the game, for a moment
+    double mark_left_ = 0;             // [s]
+    std::string hint_;                 // of the game itself, where the level has none
+    double hint_left_ = 0;             // [s]
+    std::string failure_;
+    bool is_named_ = false;      // what begins is what the options asked for
     std::string watched_level_;  // of the recording that was named
     double seconds_ = 0;
     double over_for_ = 0;     // since the run was won or lost [s]
     bool shown_end_ = false;  // of the run: the screen that says so was opened
+    double idle_ = 0;         // since anybody touched the screen after a run of the pilot's [s]
+    int tries_ = 0;           // of the pilot
     bool kept_ = false;       // it is in the progress
+    bool settings_kept_ = true;
     bool shows_volume_ = false;
     bool quit_ = false;
 };

@@ -1,7 +1,9 @@
-// The theatre while somebody is tested: its forms and the observer's keys.
+// The theatre in other hands than a player's: while somebody is tested, its forms and the observer's keys; and the
+// labels that a script clicks.
 #include <filesystem>
 
 #include "platformer/play/theatre.hpp"
+#include "platformer/screens/arrange.hpp"
 
 namespace surefoot::platformer {
 
@@ -14,7 +16,8 @@ bool Theatre::session_event(const view::InputEvent& event) {
         controls_.release();
     } else {
         note_wrong(session_->note({}, run_ ? run_->game().seconds() : 0));
-        note("Marked.");
+        mark_ = "Marked";
+        mark_left_ = 2;
     }
     return true;
 }
@@ -40,6 +43,27 @@ void Theatre::take_answers() {
         show_cards();
         begin_named_level();
     }
+}
+
+std::optional<view::dvec2> Theatre::place_of(std::string_view label) const {
+    if (screens_.is_playing()) return std::nullopt;
+    const Menu menu = screens_.menu();
+    const view::Layout& layout = screens_.layout();
+    const Arrangement all = arrange(menu, layout.size(), screens_.scroll());
+    for (std::size_t i = 0; i < menu.entries.size(); ++i) {
+        const view::dvec2 middle = all.places[i].middle();
+        if (menu.entries[i].can_focus() && menu.entries[i].label == label && all.page.has(middle))
+            return middle * layout.pixels() / layout.per_window_unit;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> Theatre::labels() const {
+    std::vector<std::string> all;
+    if (screens_.is_playing()) return all;
+    for (const Entry& entry : screens_.menu().entries)
+        if (entry.can_focus()) all.push_back(entry.label);
+    return all;
 }
 
 }  // namespace surefoot::platformer

@@ -17,6 +17,7 @@ double widest(ScreenId id) {
         case ScreenId::help:
         case ScreenId::credits:
         case ScreenId::form:
+        case ScreenId::trouble:
             return 620;
         case ScreenId::bindings:
             return 740;
@@ -32,7 +33,7 @@ double height_of(Entry::Kind kind) {
         case Entry::Kind::heading:
             return 30;
         case Entry::Kind::text:
-            return 26;
+            return 22;
         case Entry::Kind::binding:
             return 30;
         case Entry::Kind::button:
@@ -65,15 +66,18 @@ Arrangement arrange(const Menu& menu, const dvec2& size, double scroll) {
     double y = 0;
     double row_height = 0;
     int row = -1;
+    bool is_text = false;  // of which lines follow each other as in a book
     for (const Entry& entry : menu.entries) {
         if (entry.row != row) {
-            if (row >= 0) y += row_height + gap;
+            if (row >= 0) y += row_height + (is_text && entry.kind == Entry::Kind::text ? 0 : gap);
             row = entry.row;
             row_height = height_of(entry.kind);
+            is_text = entry.kind == Entry::Kind::text;
         }
         Rect place{{left, y}, {left + width, y + row_height}};
-        if (entry.kind == Entry::Kind::card || entry.kind == Entry::Kind::binding) {
-            const double label = entry.kind == Entry::Kind::binding ? width * 0.25 : 0;
+        const bool is_of_table = menu.id == ScreenId::bindings && entry.kind != Entry::Kind::button;
+        if (entry.kind == Entry::Kind::card || is_of_table) {
+            const double label = is_of_table ? width * 0.25 : 0;
             const double cell = (width - label + gap) / menu.columns;
             place.low.x = left + label + cell * entry.column;
             place.high.x = place.low.x + cell - gap;

@@ -12,9 +12,11 @@ using view::PadAxis;
 using view::PadButton;
 
 constexpr std::array<std::string_view, action_count> labels{
-    "Run forward", "Run back", "Run left", "Run right", "Jump", "Dash", "Crouch", "Back to checkpoint", "Pause"};
-constexpr std::array<std::string_view, action_count> words{"forward", "back",   "left",  "right", "jump",
-                                                           "dash",    "crouch", "retry", "pause"};
+    "Run forward", "Run back", "Run left",  "Run right",        "Jump", "Dash", "Crouch", "Look left",
+    "Look right",  "Look up",  "Look down", "Back to the flag", "Pause"};
+constexpr std::array<std::string_view, action_count> words{"forward",   "back",   "left",      "right",      "jump",
+                                                           "dash",      "crouch", "look_left", "look_right", "look_up",
+                                                           "look_down", "retry",  "pause"};
 constexpr std::array<std::string_view, 3> mouse_words{"left", "right", "middle"};
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(PadButton::count)> pad_labels{
@@ -27,9 +29,13 @@ bool is_reserved(const Trigger& trigger) {
     return trigger == Trigger(Key::escape) || trigger == Trigger(PadButton::start);
 }
 
-/// The stick runs, and Escape and Start pause, whatever is bound.
+bool looks(Action action) {
+    return action >= Action::look_left && action <= Action::look_down;
+}
+
+/// Sticks run and look, the mouse looks, and Escape and Start pause, whatever is bound.
 bool may_be_empty(Action action, std::size_t place) {
-    return action == Action::pause || (place >= 2 && action <= Action::right);
+    return action == Action::pause || looks(action) || (place >= 2 && action <= Action::right);
 }
 
 bool has_other(const Bindings::Row& row, std::size_t place) {
@@ -141,6 +147,10 @@ Bindings Bindings::defaults() {
     all[Action::jump] = {Key::space, {}, PadButton::a, {}};
     all[Action::dash] = {Key::shift, {}, PadButton::x, PadAxis::right_trigger};
     all[Action::crouch] = {Key::control, Key::c, PadButton::b, {}};
+    all[Action::look_left] = {Key::q, {}, {}, {}};
+    all[Action::look_right] = {Key::e, {}, {}, {}};
+    all[Action::look_up] = {Key::page_up, {}, {}, {}};
+    all[Action::look_down] = {Key::page_down, {}, {}, {}};
     all[Action::retry] = {Key::r, {}, PadButton::back, {}};
     all[Action::pause] = {Key::p, {}, {}, {}};
     return all;
@@ -182,6 +192,14 @@ std::optional<std::string> Bindings::bind(Action action, std::size_t place, cons
     }
     here = trigger;
     return std::nullopt;
+}
+
+std::string_view Bindings::always(Action action, Device device) {
+    const bool pad = device == Device::gamepad;
+    if (action == Action::pause) return pad ? "Start" : "Escape";
+    if (pad && action <= Action::right) return "Left stick";
+    if (looks(action)) return pad ? "Right stick" : "Mouse";
+    return {};
 }
 
 bool Bindings::is_complete() const {

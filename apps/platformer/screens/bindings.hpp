@@ -12,7 +12,12 @@
 
 namespace surefoot::platformer {
 
-enum class Action : std::uint8_t { forward, back, left, right, jump, dash, crouch, retry, pause, count };
+// clang-format off
+enum class Action : std::uint8_t {
+    forward, back, left, right, jump, dash, crouch, look_left, look_right, look_up, look_down, retry, pause,
+    count,
+};
+// clang-format on
 inline constexpr std::size_t action_count = static_cast<std::size_t>(Action::count);
 
 /// "Run forward", for people; "forward", for files and prompts.
@@ -74,6 +79,9 @@ struct Bindings {
     /// Puts it there; whoever had it gets what was there before. Returns why not, if so: Escape and Start stay as they
     /// are, and no action is left with nothing.
     [[nodiscard]] std::optional<std::string> bind(Action action, std::size_t place, const Trigger& trigger);
+
+    /// What always does it on this device, whatever is bound: the sticks, and Start. Empty for none.
+    [[nodiscard]] static std::string_view always(Action action, Device device);
 
     /// Is there something for every action, on either device?
     [[nodiscard]] bool is_complete() const;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double mouse_turn = 0.0025;  // [rad] a window unit, at a sensitivity of 1
 constexpr double pad_turn = 3;         // [rad/s] with the stick at its end
+constexpr double key_turn = 2;         // [rad/s] while a key is held
 
 /// Nothing within the dead zone, then from 0 to 1: a stick at rest is never quite in its middle.
 view::dvec2 lively(const view::dvec2& stick) {
@@ -81,6 +82,10 @@ Asked Controls::take(const GameSettings& settings, double seconds) {
     asked.turn.y = -asked.turn.y;
     if (settings.invert_x) asked.turn.x = -asked.turn.x;
     if (settings.invert_y) asked.turn.y = -asked.turn.y;
+    // Of keys each says by its name where it turns.
+    asked.turn +=
+        view::dvec2(on(Action::look_right) - on(Action::look_left), on(Action::look_up) - on(Action::look_down)) *
+        key_turn * settings.pad_sensitivity * seconds;
     asked.jump = on(Action::jump) > 0;
     asked.dash = on(Action::dash) > 0;
     asked.crouch = on(Action::crouch) > 0;

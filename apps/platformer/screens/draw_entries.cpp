@@ -59,8 +59,9 @@ void draw_card(Canvas& canvas, const LevelCard& card, const Entry& entry, const 
                  {.size = 16, .colour = words, .face = Face::bold, .align = Align::middle});
         return;
     }
-    canvas.text(fmt::format("{}", entry.index + 1), {inner.low.x, place.low.y + 30},
-                {.size = 20, .colour = with_opacity(words, 0.7), .face = Face::bold});
+    if (!card.own)
+        canvas.text(fmt::format("{}", entry.index + 1), {inner.low.x, place.low.y + 30},
+                    {.size = 20, .colour = with_opacity(words, 0.7), .face = Face::bold});
     const Colour metal = card.medal == Medal::gold     ? p.gold
                          : card.medal == Medal::silver ? p.silver
                          : card.medal == Medal::bronze ? p.bronze
@@ -127,7 +128,13 @@ void draw_binding(Canvas& canvas, const Screens& screens, const Entry& entry, co
     draw_plate(canvas, place, look, true);
     const bool waits = look.focused && screens.is_capturing();
     const std::string words = waits ? "..." : entry.value.empty() ? "\u2013" : entry.value;
-    fit_text(canvas, words, inset(place, 6), {.size = 15, .colour = letters_on(look, true), .align = Align::middle});
+    // What is there without being bound is paler.
+    const Device device = entry.place < 2 ? Device::keyboard : Device::gamepad;
+    const bool is_bound = bool(screens.settings().bindings.rows[entry.index][entry.place]);
+    const bool is_always = !is_bound && words == Bindings::always(static_cast<Action>(entry.index), device);
+    const Colour letters = letters_on(look, true);
+    fit_text(canvas, words, inset(place, 6),
+             {.size = 15, .colour = is_always ? with_opacity(letters, 0.6) : letters, .align = Align::middle});
     if (entry.column != 0) return;
     const Rect page{{place.low.x - 178, place.low.y}, {place.low.x - 8, place.high.y}};
     fit_text(canvas, entry.label, page, {.size = 15, .colour = look.palette.paper, .align = Align::right});

@@ -55,8 +55,10 @@ void draw_title(Canvas& canvas, const Menu& menu, const Rect& page, const Palett
         canvas.text(menu.subtitle, {x + 3, 154}, {.size = 17, .colour = palette.quiet, .edge_width = 1.5});
         return;
     }
-    canvas.text(menu.title, {middle, 58},
-                {.size = 36, .colour = palette.paper, .face = Face::bold, .align = Align::middle, .edge_width = 1.5});
+    view::TextLook head{
+        .size = 36, .colour = palette.paper, .face = Face::bold, .align = Align::middle, .edge_width = 1.5};
+    head.size *= std::min(1.0, (canvas.size().x - 40) / std::max(canvas.width_of(menu.title, head), 1.0));
+    canvas.text(menu.title, {middle, 58}, head);
     double y = 70;
     const view::TextLook quiet{.size = 15, .colour = palette.quiet, .align = Align::middle};
     for (const std::string_view line : canvas.lines_of(menu.subtitle, canvas.size().x - 60, quiet)) {
@@ -124,11 +126,24 @@ void draw_foot(Canvas& canvas, const Screens& screens, const Menu& menu, const P
     if (screens.is_capturing())
         hint = entry.place < 2 ? "Press the key or mouse button for it. Escape leaves it as it is."
                                : "Press the button for it. Start or Escape leaves it as it is.";
-    canvas.text(hint, {size.x / 2, size.y - 42},
-                {.size = 15,
-                 .colour = screens.notice().empty() ? palette.paper : palette.accent,
-                 .align = Align::middle,
-                 .edge_width = 1});
+    // In one line, or in smaller ones between the page and the keys: never over what is chosen.
+    view::TextLook look{.size = 15,
+                        .colour = screens.notice().empty() ? palette.paper : palette.accent,
+                        .align = Align::middle,
+                        .edge_width = 1};
+    const double width = size.x - 40;
+    if (canvas.width_of(hint, look) > width) look.size = 12;
+    std::vector<std::string_view> lines = canvas.lines_of(hint, width, look);
+    if (lines.size() > 2) {
+        look.size = 9;
+        lines = canvas.lines_of(hint, width, look);
+        lines.resize(std::min<std::size_t>(lines.size(), 3));
+    }
+    double line_y = size.y - 42 - (double(lines.size()) - 1) * look.size * 0.55;
+    for (const std::string_view line : lines) {
+        canvas.text(line, {size.x / 2, line_y}, look);
+        line_y += look.size * 1.1;
+    }
     double x = size.x / 2 - 92;
     x += draw_key_cap(canvas, pad ? "A" : "Enter", {x, size.y - 18}, 13) + 6;
     x += canvas.text("choose", {x, size.y - 13}, {.size = 13, .colour = palette.quiet}) + 18;

@@ -1,6 +1,8 @@
 #include "platformer/screens/game_settings.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "view/kept_file.hpp"
 
@@ -21,20 +23,40 @@ void take(const json& from, const char* name, double& value, double low, double 
     if (read >= low && read <= high) value = read;
 }
 
+void take(const json& from, const char* name, int& value, int low, int high) {
+    double number = value;
+    take(from, name, number, low, high);
+    value = static_cast<int>(number);
+}
+
 /// Each as if the player had chosen it, so that a file can leave no action without a key either.
 void take_bindings(const json& from, Bindings& bindings) {
     const auto found = from.find("bindings");
     if (found == from.end() || !found->is_object()) return;
     Bindings read;
+    std::vector<std::size_t> unknown;  // to the program that wrote them
     for (std::size_t i = 0; i < action_count; ++i) {
         const auto row = found->find(std::string(word_of(static_cast<Action>(i))));
-        if (row == found->end() || !row->is_array() || row->size() != Bindings::places) return;
+        if (row == found->end()) {
+            unknown.push_back(i);
+            continue;
+        }
+        if (!row->is_array() || row->size() != Bindings::places) return;
         for (std::size_t place = 0; place < Bindings::places; ++place) {
             const json& text = (*row)[place];
             const Trigger trigger = text.is_string() ? trigger_from(text.get<std::string>()) : Trigger();
             if (trigger && read.bind(static_cast<Action>(i), place, trigger)) return;
         }
     }
+    const auto is_taken = [&](const Trigger& trigger) {
+        for (const Bindings::Row& row : read.rows)
+            if (std::ranges::find(row, trigger) != row.end()) return true;
+        return false;
+    };
+    const Bindings usual = Bindings::defaults();
+    for (const std::size_t i : unknown)
+        for (std::size_t place = 0; place < Bindings::places; ++place)
+            if (!is_taken(usual.rows[i][place])) read.rows[i][place] = usual.rows[i][place];
     if (read.is_complete()) bindings = read;
 }
 
@@ -53,6 +75,8 @@ GameSettings from_json(const json& from) {
     take(from, "timer", s.timer);
     take(from, "minimap", s.minimap);
     take(from, "full_screen", s.full_screen);
+    take(from, "width", s.width, 320, 16384);
+    take(from, "height", s.height, 240, 16384);
     const auto colours = from.find("colours");
     if (colours != from.end() && colours->is_string()) s.colours = colour_vision_named(colours->get<std::string>());
     take_bindings(from, s.bindings);
@@ -91,6 +115,8 @@ Expected<void> write_game_settings(const GameSettings& s, const std::string& pat
                    {"timer", s.timer},
                    {"minimap", s.minimap},
                    {"full_screen", s.full_screen},
+                   {"width", s.width},
+                   {"height", s.height},
                    {"bindings", std::move(bindings)}};
     return view::write_kept(all, path, "the game's settings");
 }

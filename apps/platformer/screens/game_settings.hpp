@@ -25,6 +25,8 @@ struct GameSettings {
     bool timer = true;
     bool minimap = true;
     bool full_screen = false;
+    int width = 1280;  ///< of a window that is a program of its own [320 to 16384]
+    int height = 720;  ///< [240 to 16384]
     Bindings bindings = Bindings::defaults();
 
     [[nodiscard]] bool operator==(const GameSettings&) const = default;

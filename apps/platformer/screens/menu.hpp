@@ -23,6 +23,7 @@ enum class ScreenId : std::uint8_t {
     quit,
     getting_ready,  ///< what was chosen takes a moment
     form,
+    trouble,  ///< something that was asked for cannot be had, and why
     count,
 };
 
@@ -38,7 +39,8 @@ enum class Act : std::uint8_t {
     ask_quit,
     quit,
     back,
-    open_level,  ///< `index` of the levels
+    open_level,   ///< `index` of the levels
+    open_broken,  ///< `index` of the files that are none
     start,
     race,
     watch,
@@ -105,7 +107,14 @@ struct LevelCard {
     bool locked = false;
     std::string locked_why{};    ///< "Win Rope Bridge first."
     bool secret = false;         ///< while it is locked, nobody is told its name
+    bool own = false;            ///< the player's own, and no part of the campaign
     bool has_recording = false;  ///< of the best run
+};
+
+/// A file among the levels that is none.
+struct BrokenLevel {
+    std::string name{};  ///< of the file
+    std::string why{};
 };
 
 struct WinResult {
@@ -123,6 +132,7 @@ struct LoseResult {
     std::string why{};      ///< "You fell out of the level."
     std::string section{};  ///< where the checkpoint is; empty for the beginning
     double seconds = 0;
+    bool can_retry = true;  ///< from the checkpoint; else there is only the beginning
 };
 
 /// "1:23.45".

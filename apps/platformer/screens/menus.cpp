@@ -1,5 +1,6 @@
 // What stands on each of the screens.
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "platformer/screens/screens.hpp"
@@ -36,12 +37,23 @@ private:
 };
 
 void write_bindings(Writer& to, const Bindings& bindings) {
+    constexpr std::array<const char*, Bindings::places> heads{"Keyboard and mouse", "", "Gamepad", ""};
+    for (std::size_t place = 0; place < Bindings::places; ++place)
+        to.add({.kind = Kind::heading, .label = heads[place]}, static_cast<int>(place));
     for (std::size_t i = 0; i < action_count; ++i) {
         const auto action = static_cast<Action>(i);
+        // What goes without a binding stands where there is none, so that nobody takes the stick for idle.
+        const auto value = [&](std::size_t place) {
+            const Device device = place < 2 ? Device::keyboard : Device::gamepad;
+            const bool is_bare = !bindings[action][place] && !bindings[action][place ^ 1U];
+            const bool is_first = place % 2 == 0;
+            return is_bare && is_first ? std::string(Bindings::always(action, device))
+                                       : name_of(bindings[action][place]);
+        };
         for (std::size_t place = 0; place < Bindings::places; ++place)
             to.add({.kind = Kind::binding,
                     .label = std::string(label_of(action)),
-                    .value = name_of(bindings[action][place]),
+                    .value = value(place),
                     .hint = place < 2 ? "Choose, then press a key or a mouse button. Delete empties it."
                                       : "Choose, then press a button of the gamepad. X empties it.",
                     .act = Act::bind,
@@ -59,17 +71,40 @@ void write_help(Writer& to, const Bindings& bindings, Device device) {
     to.text("Run",
             pad ? "Left stick"
                 : key(Action::forward) + " " + key(Action::left) + " " + key(Action::back) + " " + key(Action::right));
-    to.text("Look around", pad ? "Right stick" : "Mouse");
-    to.text("Jump; once more in the air", key(Action::jump));
-    to.text("Jump off a wall that you slide down", key(Action::jump));
+    std::string look(Bindings::always(Action::look_left, device));
+    for (const Action action : {Action::look_left, Action::look_right, Action::look_up, Action::look_down})
+        if (const std::string name = key(action); !name.empty())
+            look += (action == Action::look_left ? ", or " : " ") + name;
+    to.text("Look around", look);
+    to.text("Jump: the longer held, the higher", key(Action::jump));
+    to.text("Once more in the air, or off a wall", key(Action::jump));
     to.text("Climb a ledge that you hang from", pad ? "Left stick up" : key(Action::forward));
     to.text("Dash, on the ground or in the air", key(Action::dash));
     to.text("Crouch; slide when running; dive", key(Action::crouch));
-    to.text("Back to the last checkpoint", key(Action::retry));
+    to.text("Back to the last flag; it costs nothing", key(Action::retry));
     to.text("Pause", key(Action::pause));
     to.text("Enemies", "Jump on them, or keep away");
+    to.text("Hearts", "Falls and enemies cost one");
+    to.text("Keys", "Open the door of their letter");
+    to.text("Stars", "12 open the secret level");
     to.button("Change the keys", Act::bindings);
     to.button("Back", Act::back);
+}
+
+/// In lines that fit on a page: at blanks where there are some.
+void write_wrapped(Writer& to, std::string_view words) {
+    constexpr std::size_t widest = 76;  // letters
+    while (!words.empty()) {
+        std::size_t end = std::min(words.size(), widest);
+        if (end < words.size())
+            if (const std::size_t blank = words.rfind(' ', end); blank != std::string_view::npos && blank > 0)
+                end = blank;
+        // A letter of several bytes is not cut.
+        while (end < words.size() && (static_cast<unsigned char>(words[end]) & 0xC0U) == 0x80U) ++end;
+        to.text(std::string(words.substr(0, end)));
+        words.remove_prefix(end);
+        words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
+    }
 }
 
 std::string level_name(const LevelCard& card) {
@@ -149,16 +184,24 @@ Menu Screens::menu() const {
             for (const LevelCard& level : levels_) stars += level.stars;
             menu.subtitle = levels_.empty() ? "No levels were found." : fmt::format("{} stars", stars);
             menu.columns = layout_.size().x < 700 ? 2 : 3;
+            int column = 0;
             for (std::size_t i = 0; i < levels_.size(); ++i) {
                 const LevelCard& level = levels_[i];
+                if (level.own && (i == 0 || !levels_[i - 1].own)) {
+                    to.heading("Your own levels");
+                    column = 0;
+                }
                 to.add({.kind = Kind::card,
                         .label = level_name(level),
                         .hint = level.locked ? level.locked_why : level.idea,
                         .act = Act::open_level,
                         .index = i,
                         .enabled = !level.locked},
-                       static_cast<int>(i) % menu.columns);
+                       column++ % menu.columns);
             }
+            for (std::size_t i = 0; i < broken_.size(); ++i)
+                to.button(broken_[i].name + " cannot be played", Act::open_broken, true, "Choose it to read why.")
+                    .index = i;
             to.button("Back", Act::back);
             break;
         }
@@ -172,6 +215,7 @@ Menu Screens::menu() const {
             break;
         case ScreenId::options: {
             menu.title = "Options";
+            menu.subtitle = remark_;
             to.button("Keys and buttons", Act::bindings);
             const auto rows = setting_rows();
             for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -192,7 +236,7 @@ Menu Screens::menu() const {
             break;
         case ScreenId::help:
             menu.title = "How to play";
-            menu.subtitle = "Reach the flag. Coins, stars and speed are for glory.";
+            menu.subtitle = "Reach the beam of light. Flags on the way are checkpoints.";
             write_help(to, settings_.bindings, device_);
             break;
         case ScreenId::credits:
@@ -208,7 +252,7 @@ Menu Screens::menu() const {
             menu.title = "Pause";
             menu.subtitle = card != nullptr ? card->title : "";
             to.button("Go on", Act::resume);
-            if (!watching_) to.button("Back to the last checkpoint", Act::retry);
+            if (!watching_) to.button("Back to the last flag", Act::retry);
             to.button("From the beginning", Act::restart);
             to.button("Options", Act::options);
             if (!watching_) to.button("How to play", Act::help);
@@ -218,7 +262,8 @@ Menu Screens::menu() const {
             menu.title = "You made it!";
             menu.subtitle = card != nullptr ? card->title : "";
             const std::size_t next = level_ + 1;
-            if (next < levels_.size() && !levels_[next].locked) to.button("Next: " + levels_[next].title, Act::next);
+            if (next < levels_.size() && !levels_[next].locked && levels_[next].own == card->own)
+                to.button("Next: " + levels_[next].title, Act::next);
             to.button("Once more", Act::restart);
             to.button("Race the ghost of the best run", Act::race, has_ghost, why_no_ghost);
             to.button("Watch the best run", Act::watch, has_ghost, why_no_ghost);
@@ -228,7 +273,8 @@ Menu Screens::menu() const {
         case ScreenId::lose:
             menu.title = "Not this time";
             menu.subtitle = lose_.why;
-            to.button(lose_.section.empty() ? "Try again" : "Try again from " + lose_.section, Act::retry);
+            if (lose_.can_retry)
+                to.button(lose_.section.empty() ? "Try again" : "Try again from " + lose_.section, Act::retry);
             to.button("From the beginning", Act::restart);
             to.button("Back to the levels", Act::leave);
             break;
@@ -249,6 +295,11 @@ Menu Screens::menu() const {
             menu.subtitle = card != nullptr ? card->title : "";
             to.text("Enemies look for their ways. This happens once.");
             to.button("Back to the levels", Act::leave);
+            break;
+        case ScreenId::trouble:
+            menu.title = trouble_.name;
+            write_wrapped(to, trouble_.why);
+            to.button("Back", Act::back);
             break;
         case ScreenId::form:
             menu.title = form_.title;

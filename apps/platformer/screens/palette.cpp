@@ -90,6 +90,33 @@ ColourVision colour_vision_named(std::string_view word) {
     return found == words.end() ? ColourVision::usual : static_cast<ColourVision>(found - words.begin());
 }
 
+view::Colour key_colour(std::string_view door, ColourVision vision) {
+    constexpr std::size_t known = 6;
+    constexpr std::array<std::string_view, known> names{"red", "blue", "green", "yellow", "violet", "white"};
+    using Colours = std::array<view::Colour, known>;
+    constexpr std::array<Colours, visions> colours{
+        Colours{rgb(0xF0463A), rgb(0x3E8CFF), rgb(0x49C75A), rgb(0xF7CC2E), rgb(0xB07BFF), rgb(0xF3EFE6)},
+        // Without red or green: from dark to light along orange and blue.
+        Colours{rgb(0xE06A00), rgb(0x2F7DFF), rgb(0xBFE3FF), rgb(0xFFE45C), rgb(0x7A5CFF), rgb(0xFFFFFF)},
+        // Without blue: from dark to light along red and blue-green.
+        Colours{rgb(0xF0283C), rgb(0x12B5A6), rgb(0xA8F0DC), rgb(0xFFC4CC), rgb(0xA03A5A), rgb(0xFFFFFF)},
+        Colours{rgb(0xFF5A50), rgb(0x66CCFF), rgb(0x00FF66), rgb(0xFFFF00), rgb(0xFF99FF), rgb(0xFFFFFF)}};
+    const auto found = std::ranges::find(names, door);
+    std::size_t which = std::size_t(found - names.begin());
+    if (found == names.end()) {
+        std::uint32_t sum = 0;
+        for (const char letter : door) sum = sum * 31 + static_cast<unsigned char>(letter);
+        which = sum % known;
+    }
+    return colours[static_cast<std::size_t>(vision)][which];
+}
+
+std::string key_sign(std::string_view door) {
+    if (door.empty()) return {};
+    const char first = door.front();
+    return {first >= 'a' && first <= 'z' ? char(first - 'a' + 'A') : first};
+}
+
 const Palette& palette_for(ColourVision vision) {
     switch (vision) {
         case ColourVision::red_green:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "view/colour.hpp"
@@ -33,6 +34,13 @@ struct Palette {
     view::Colour silver;
     view::Colour bronze;
 };
+
+/// Of a key and of the door that it opens, by the door's name: "red", "blue", "green", "yellow", "violet", "white"; any
+/// other name gets one of them. Told apart by eyes of this kind, and by the sign beside it.
+[[nodiscard]] view::Colour key_colour(std::string_view door, ColourVision vision);
+
+/// The door's first letter: what stands beside its key.
+[[nodiscard]] std::string key_sign(std::string_view door);
 
 [[nodiscard]] const Palette& palette_for(ColourVision vision);
 

@@ -13,15 +13,22 @@ Screens::Screens(GameSettings settings) : settings_(std::move(settings)) {
     open_title();
 }
 
-void Screens::set_levels(std::vector<LevelCard> levels) {
+void Screens::set_levels(std::vector<LevelCard> levels, std::vector<BrokenLevel> broken) {
     levels_ = std::move(levels);
+    broken_ = std::move(broken);
     level_ = std::min(level_, levels_.empty() ? 0 : levels_.size() - 1);
     if (!stack_.empty()) put_focus(focus());
 }
 
+void Screens::set_layout(const view::Layout& layout) {
+    const bool is_other = layout.size() != layout_.size();
+    layout_ = layout;
+    if (is_other && !stack_.empty()) show_focus(menu());
+}
+
 void Screens::say(std::string notice) {
     notice_ = std::move(notice);
-    notice_left_ = 4;
+    notice_left_ = std::clamp(0.06 * double(notice_.size()), 4.0, 12.0);  // long enough to be read
 }
 
 std::optional<Command> Screens::take() {
@@ -45,12 +52,14 @@ void Screens::show_win(const WinResult& result) {
     win_ = result;
     stack_.clear();
     push(ScreenId::win);
+    guard_hands();
 }
 
 void Screens::show_lose(const LoseResult& result) {
     lose_ = result;
     stack_.clear();
     push(ScreenId::lose);
+    guard_hands();
 }
 
 void Screens::show_replay_end() {
@@ -65,6 +74,11 @@ void Screens::show_getting_ready() {
 
 void Screens::show_ready() {
     if (!is_playing() && top() == ScreenId::getting_ready) stack_.clear();
+}
+
+void Screens::show_trouble(std::string title, std::string why) {
+    trouble_ = {std::move(title), std::move(why)};
+    push(ScreenId::trouble);
 }
 
 bool Screens::ask(Form form) {
@@ -99,7 +113,12 @@ void Screens::push(ScreenId id) {
     capture_.reset();
     dragged_.reset();
     stack_.push_back({.id = id});
-    put_focus(id == ScreenId::levels ? level_ : 0);
+    const std::vector<Entry> entries = menu().entries;
+    const auto played = std::ranges::find_if(
+        entries, [&](const Entry& entry) { return entry.act == Act::open_level && entry.index == level_; });
+    const bool is_read = !entries.empty() && entries.front().kind == Entry::Kind::text;
+    put_focus(id == ScreenId::levels && played != entries.end() ? std::size_t(played - entries.begin()) : 0);
+    if (is_read) stack_.back().scroll = 0;  // from its beginning
 }
 
 void Screens::pop() {
@@ -262,6 +281,17 @@ void Screens::back() {
     }
 }
 
+void Screens::set_window_size(const view::ivec2& size) {
+    settings_.width = size.x;
+    settings_.height = size.y;
+}
+
+void Screens::choose(Act act) {
+    const Menu now = menu();
+    const auto found = std::ranges::find(now.entries, act, &Entry::act);
+    if (found != now.entries.end()) choose(*found);
+}
+
 void Screens::choose(const Entry& entry) {
     if (!entry.enabled) {
         say(entry.hint);
@@ -302,6 +332,9 @@ void Screens::choose(const Entry& entry) {
             level_ = entry.index;
             push(ScreenId::level);
             break;
+        case Act::open_broken:
+            show_trouble(broken_[entry.index].name + " cannot be played", broken_[entry.index].why);
+            break;
         case Act::start:
             play(Command::Kind::start, level_);
             break;
@@ -329,9 +362,10 @@ void Screens::choose(const Entry& entry) {
             capture_ = Capture{static_cast<Action>(entry.index), entry.place, 6};
             break;
         case Act::reset_settings: {
-            Bindings kept = settings_.bindings;
-            settings_ = {};
-            settings_.bindings = kept;
+            const GameSettings before = std::exchange(settings_, {});
+            settings_.bindings = before.bindings;
+            settings_.width = before.width;  // the window's own
+            settings_.height = before.height;
             commands_.push_back({Command::Kind::settings, {}});
             break;
         }

@@ -39,9 +39,13 @@ class Screens {
 public:
     explicit Screens(GameSettings settings = {});
 
-    /// On the level select, in this order.
-    void set_levels(std::vector<LevelCard> levels);
-    void set_layout(const view::Layout& layout) { layout_ = layout; }
+    /// On the level select, in this order: those of the campaign, then the player's own; and at its end, quietly, the
+    /// files that are none.
+    void set_levels(std::vector<LevelCard> levels, std::vector<BrokenLevel> broken = {});
+    /// What is in focus stays in sight.
+    void set_layout(const view::Layout& layout);
+    /// A sentence about the machine, on the options screen.
+    void set_remark(std::string remark) { remark_ = std::move(remark); }
 
     /// True if it was the screens': the game must not see it.
     bool event(const view::InputEvent& event);
@@ -56,6 +60,7 @@ public:
     /// The beginning; whatever was played is over.
     void open_title();
     void pause();
+    /// They come when keys are being pressed: for a moment, and until hands have rested, nothing is chosen there.
     void show_win(const WinResult& result);
     void show_lose(const LoseResult& result);
     void show_replay_end();
@@ -71,8 +76,15 @@ public:
     bool ask(Form form);
     [[nodiscard]] const Form& form() const { return form_; }
 
+    /// Over the screen that is there: what was asked for cannot be had. It stays until it is dismissed.
+    void show_trouble(std::string title, std::string why);
+
     /// The window was made so by another hand than the option's.
     void set_full_screen(bool full) { settings_.full_screen = full; }
+    void set_window_size(const view::ivec2& size);
+
+    /// As if the entry that does this were chosen; nothing if the screen on top has none.
+    void choose(Act act);
 
     /// The next thing to do, once.
     [[nodiscard]] std::optional<Command> take();
@@ -125,6 +137,8 @@ private:
     void play(Command::Kind kind, std::size_t level);
     bool capture(const view::InputEvent& event);
     bool typing(const view::InputEvent& event);
+    [[nodiscard]] bool is_too_soon(const view::InputEvent& event);
+    void guard_hands();
     void fill_in(const Entry& entry);
     void end_form(Command::Kind how);
     void pointer(const view::InputEvent& event);
@@ -133,6 +147,9 @@ private:
 
     GameSettings settings_;
     std::vector<LevelCard> levels_;
+    std::vector<BrokenLevel> broken_;
+    BrokenLevel trouble_;  // its title, and why
+    std::string remark_;
     std::vector<Open> stack_;
     std::vector<Command> commands_;
     view::Layout layout_{};
@@ -144,6 +161,7 @@ private:
     Form form_;
     std::optional<Capture> capture_;
     std::optional<std::size_t> dragged_;  // a slider in the mouse's hand
+    double guard_left_ = 0;               // [s] until anything is chosen on a screen that came by itself
     view::dvec2 stick_{0, 0};
     Intent stick_way_ = Intent::none;
     double stick_wait_ = 0;  // [s] until it moves again

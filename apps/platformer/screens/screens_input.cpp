@@ -14,14 +14,38 @@ using view::PadButton;
 
 constexpr double first_wait = 0.4;  // [s] until a stick that is held moves on
 constexpr double next_wait = 0.12;
+constexpr double guard_time = 0.8;   // [s] that a screen which comes by itself is looked at before anything is chosen
+constexpr double pause_time = 0.35;  // [s] that hands which are busy in that time have to rest
+
+/// What chooses on a screen, or goes back from it.
+bool decides(const Trigger& trigger) {
+    for (const Trigger one : {Trigger(Key::enter), Trigger(Key::space), Trigger(Key::escape), Trigger(Key::backspace),
+                              Trigger(view::MouseButton::left), Trigger(PadButton::a), Trigger(PadButton::b)})
+        if (trigger == one) return true;
+    return false;
+}
 
 }  // namespace
+
+void Screens::guard_hands() {
+    guard_left_ = guard_time;
+}
+
+/// Does this press come from before the screen was looked at? Who hammers a key goes on for a while.
+bool Screens::is_too_soon(const view::InputEvent& event) {
+    if (guard_left_ <= 0 || is_playing() || (top() != ScreenId::win && top() != ScreenId::lose)) return false;
+    const auto pull = pull_of(event);
+    if (!pull || !pull->down || !decides(pull->trigger)) return false;
+    guard_left_ = std::max(guard_left_, pause_time);
+    return true;
+}
 
 bool Screens::event(const view::InputEvent& event) {
     if (const auto device = device_of(event)) device_ = *device;
     if (std::holds_alternative<view::Resize>(event) || std::holds_alternative<view::CloseRequest>(event) ||
         std::holds_alternative<view::ScaleChange>(event))
         return false;
+    if (is_too_soon(event)) return true;
     if (is_playing()) {
         const auto pull = pull_of(event);
         const auto* const focus = std::get_if<view::FocusChange>(&event);
@@ -41,6 +65,7 @@ void Screens::tick(double seconds) {
         notice_left_ -= seconds;
         if (notice_left_ <= 0) notice_.clear();
     }
+    guard_left_ = std::max(0.0, guard_left_ - seconds);
     if (capture_) {
         capture_->left -= seconds;
         if (capture_->left <= 0) capture_.reset();

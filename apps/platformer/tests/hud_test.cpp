@@ -264,6 +264,30 @@ TEST(Palettes, for_eyes_that_see_red_and_green_alike_tell_friend_from_danger) {
     }
 }
 
+// The defect: red and blue keys were one pink, and only a colour said which door is whose.
+TEST(Palettes, keys_are_told_apart_by_every_eye_and_by_their_letter) {
+    const auto apart = [](const view::Colour& a, const view::Colour& b) {
+        return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+    };
+    for (int i = 0; i < static_cast<int>(ColourVision::count); ++i) {
+        const auto vision = static_cast<ColourVision>(i);
+        for (const auto& [a, b] :
+             {std::pair{"red", "blue"}, {"red", "green"}, {"blue", "yellow"}, {"green", "violet"}}) {
+            const view::Colour one = key_colour(a, vision);
+            const view::Colour other = key_colour(b, vision);
+            EXPECT_GT(apart(one, other), 150) << a << " " << b << " " << i;
+            if (vision != ColourVision::red_green) continue;
+            for (const bool red : {true, false})
+                EXPECT_GT(glm::length(seen_without(one, red) - seen_without(other, red)), 0.3) << a << " " << b;
+        }
+        EXPECT_GT(apart(key_colour("vault", vision), palette_for(vision).ink), 150)
+            << "a name of one's own has one too";
+    }
+    EXPECT_EQ(key_sign("red"), "R");
+    EXPECT_EQ(key_sign("Blue"), "B");
+    EXPECT_EQ(key_sign(""), "");
+}
+
 TEST(Palettes, are_legible) {
     const auto light = [](const view::Colour& c) {
         const auto linear = [](std::uint8_t part) { return std::pow(part / 255.0, 2.2); };

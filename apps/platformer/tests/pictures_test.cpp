@@ -242,6 +242,13 @@ TEST_P(Pictures, of_every_screen_show_something_of_their_own) {
                                          .label = "You play games",
                                          .choices = {"never", "sometimes", "often"}}}}));
     add("form", screens);
+    screens.open_title();
+    screens.show_trouble(
+        "castle.glb cannot be played",
+        "levels/castle.glb: it has 0 nodes of kind 'goal', and needs one: an empty node where the level "
+        "ends. " +
+            std::string(90, 'x') + " is a word that fits on no line.");
+    add("trouble", screens);
     ASSERT_EQ(all.size(), static_cast<std::size_t>(ScreenId::count));
     std::vector<Picture> pictures;
     for (const auto& [name, one] : all) {

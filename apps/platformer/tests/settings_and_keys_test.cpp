@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "platformer/screens/controls.hpp"
 #include "platformer/screens/game_settings.hpp"
@@ -69,6 +70,21 @@ TEST_F(GameSettingsFile, with_values_out_of_range_or_of_another_kind_has_the_def
     EXPECT_EQ(read_game_settings(path()).value(), expected);
     put(R"({"volume": 7, "music": "loud", "invert_y": 1, "colours": 3, "ui_scale": 1.5, "bindings": {"jump": 4}})");
     EXPECT_EQ(read_game_settings(path()).value(), expected);
+}
+
+// Of a program that did not know how to look around by keys.
+TEST_F(GameSettingsFile, of_an_older_program_keeps_its_keys_and_gets_those_that_are_new) {
+    GameSettings settings;
+    ASSERT_FALSE(settings.bindings.bind(Action::jump, 0, Key::e));
+    ASSERT_TRUE(write_game_settings(settings, path()));
+    std::ifstream file(path());
+    nlohmann::json json = nlohmann::json::parse(file);
+    for (const char* const word : {"look_left", "look_right", "look_up", "look_down"}) json["bindings"].erase(word);
+    put(json.dump());
+    const Bindings read = read_game_settings(path()).value().bindings;
+    EXPECT_EQ(read[Action::jump][0], Trigger(Key::e)) << "the player's own";
+    EXPECT_EQ(read[Action::look_left][0], Trigger(Key::q));
+    EXPECT_FALSE(read[Action::look_right][0]) << "E is taken";
 }
 
 TEST_F(GameSettingsFile, that_cannot_be_written_says_why_and_leaves_the_old_one) {
@@ -173,6 +189,20 @@ TEST(Controls, of_two_keys_for_one_thing_the_one_that_is_let_go_leaves_the_other
     controls.event(view::KeyPress{.key = Key::c, .down = false}, settings.bindings);
     static_cast<void>(controls.take(settings, 0.02));
     EXPECT_TRUE(controls.take(settings, 0.02).crouch);
+}
+
+TEST(Controls, keys_turn_the_camera_to_where_they_say) {
+    GameSettings settings;
+    settings.invert_x = settings.invert_y = true;  // of mouse and stick: keys have names
+    for (const auto& [key, x, y] :
+         {std::tuple{Key::q, -1, 0}, {Key::e, 1, 0}, {Key::page_up, 0, 1}, {Key::page_down, 0, -1}}) {
+        Controls controls;
+        EXPECT_TRUE(controls.event(view::KeyPress{.key = key}, settings.bindings));
+        const Asked asked = controls.take(settings, 0.02);
+        EXPECT_NEAR(asked.turn.x, 0.04 * x, 1e-12);
+        EXPECT_NEAR(asked.turn.y, 0.04 * y, 1e-12);
+        EXPECT_EQ(controls.take(settings, 0.02).turn, asked.turn) << "as long as it is held";
+    }
 }
 
 TEST(Controls, a_stick_at_rest_does_not_creep) {

@@ -77,6 +77,7 @@ protected:
         display->set_full_screen(false);
         write_level(root + "/levels/first.glb", R"("title":"First","order":1,"par":60)");
         write_level(root + "/levels/second.glb", R"("title":"Second","order":2)");
+        std::ofstream(root + "/levels/campaign.txt") << "first\nsecond\n";
         options.level_folders = {root + "/levels"};
         options.settings = root + "/own/settings.json";
         options.progress = root + "/own/progress.json";
@@ -158,11 +159,11 @@ protected:
         ASSERT_TRUE(screens().is_playing());
         ASSERT_NE(theatre->run(), nullptr);
     }
-    /// From the spawn to the flag, and the dance.
+    /// From the spawn to the goal, and the dance.
     void win() {
         walk(view::Key::w, 2);
         ASSERT_EQ(game().outcome(), game::Outcome::won);
-        seconds(2.5);
+        seconds(3.5);
     }
     /// Over the checkpoint, and into the fire.
     void lose() {
@@ -170,7 +171,7 @@ protected:
         key(view::Key::s, true);  // again and again, until no heart is left
         for (int i = 0; i < 1200 && game().outcome() == game::Outcome::playing; ++i) tick();
         key(view::Key::s, false);
-        seconds(1.5);
+        seconds(2.5);
     }
 
     inline static std::unique_ptr<view::Display> display;
