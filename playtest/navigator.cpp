@@ -319,7 +319,7 @@ Intent Navigator::mind(const game::Game& game, const Intent& intent) {
                 return Intent{.move = flat(told.wish) / game::run_speed, .jump = told.jump, .crouch = told.crouch};
             };
         });
-    if (phase_ == Phase::waits || phase_ == Phase::thinks)
+    if (phase_ == Phase::waits || phase_ == Phase::thinks || phase_ == Phase::catches)
         return caution_.mind(game, *foresight_, intent, [] { return [](const game::Hero&) { return Intent{}; }; });
     return intent;
 }
