@@ -82,11 +82,11 @@ std::vector<Catch> Passages::catches(const dvec3& place) const {
             order.push_back({length(on) - 1.5 * dot(way, unit(on)) + 0.2 * std::abs(end.place.y - feet.y), end});
         }
         std::ranges::stable_sort(order, {}, &std::pair<double, Stand>::first);
-        for (const auto& [cost, end] : order) {
+        for (const auto& choice : order) {
+            const Stand& end = choice.second;
             if (one.ends.size() >= most_ends) break;
-            if (std::ranges::none_of(one.ends,
-                                     [&](const Stand& other) { return length(other.place - end.place) < apart; }))
-                one.ends.push_back(end);
+            const auto is_there = [&](const Stand& other) { return length(other.place - end.place) < apart; };
+            if (std::ranges::none_of(one.ends, is_there)) one.ends.push_back(end);
         }
         one.ends.push_back(one.from);
         kept.push_back(std::move(one));

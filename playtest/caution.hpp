@@ -16,8 +16,6 @@ struct Course {
     int jump_at = -1;       ///< of who goes on or runs: after so many ticks; before 0: not at all
     double reach = 2.2;     ///< of who stomps: jumps from so near [m]
     std::uint32_t foe = 0;  ///< whom; of `Level::enemies`
-
-    friend bool operator==(const Course&, const Course&) = default;
 };
 
 class Caution {
@@ -27,8 +25,7 @@ public:
 
     Caution(std::shared_ptr<const game::Level> level, std::uint64_t seed);
 
-    /// What to do instead of `intent`, if anything. `steering` makes a fresh copy of how it would go on; `holds`: to
-    /// stay where it is is what it wants.
+    /// What to do instead of `intent`, if anything. `steering` makes a fresh copy of how it would go on.
     [[nodiscard]] Intent mind(const game::Game& game, Foresight& foresight, const Intent& intent,
                               const std::function<Steering()>& steering);
 

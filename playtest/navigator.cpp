@@ -15,6 +15,7 @@ constexpr int tries_for_key = 40;
 constexpr int tries_for_coin = 2;
 constexpr int thoughts_a_try = 4;  // at most
 constexpr int reaction = 9;        // ticks
+constexpr int longest_hang = 75;   // on an edge, without getting up [ticks]
 constexpr int between_plans = 20;  // that found no way [ticks]
 
 }  // namespace
@@ -121,7 +122,16 @@ game::HeroInput Navigator::decide(const game::Game& game) {
                 break;
         }
     }
-    return hands_.act(intent);
+    return hands_.act(let_go(game, intent));
+}
+
+// Who hangs on an edge and does not get over it lets go of it.
+Intent Navigator::let_go(const game::Game& game, const Intent& intent) {
+    const CharacterState& body = game.hero().body;
+    hangs_for_ = body.footing == Footing::ledge && game.feet().y <= hung_at_ + 1e-6 ? hangs_for_ + 1 : 0;
+    hung_at_ = game.feet().y;
+    if (hangs_for_ < longest_hang) return intent;
+    return {.move = unit(flat(body.wall_normal)), .crouch = true};
 }
 
 // What happened that changes what it wants.
@@ -319,7 +329,7 @@ Intent Navigator::mind(const game::Game& game, const Intent& intent) {
                 return Intent{.move = flat(told.wish) / game::run_speed, .jump = told.jump, .crouch = told.crouch};
             };
         });
-    if (phase_ == Phase::waits || phase_ == Phase::thinks)
+    if (phase_ == Phase::waits || phase_ == Phase::thinks || phase_ == Phase::catches)
         return caution_.mind(game, *foresight_, intent, [] { return [](const game::Hero&) { return Intent{}; }; });
     return intent;
 }

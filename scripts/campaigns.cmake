@@ -33,7 +33,8 @@ add_test(campaign.platformer_agreement "${root}/build/release/tests/playtest/pla
 set_tests_properties(campaign.platformer_agreement PROPERTIES TIMEOUT 3600
   ENVIRONMENT "SUREFOOT_IMPORTER=${root}/build/release/import/surefoot-importer")
 
-# Hours of play in every level of the platformer: nobody stuck, out of it, or nowhere, and whoever knows the way finishes.
+# Hours of play in every level of the platformer: nobody stuck, out of it, or nowhere, whoever knows the way finishes, and
+# explorers die in all of it rather than in one section.
 set(hours "$ENV{SUREFOOT_PLAYTEST_HOURS}")
 if(NOT hours)
   set(hours 2)

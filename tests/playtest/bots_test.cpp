@@ -58,6 +58,23 @@ TEST(Navigator, says_so_too_of_a_goal_behind_a_door_whose_key_lies_behind_it) {
     EXPECT_EQ(bot->gave_up().substr(0, 16), "goal unreachable") << bot->gave_up();
 }
 
+TEST(Navigator, lets_go_of_an_edge_that_it_cannot_climb_over) {
+    test::LevelMaker maker;
+    maker.box({-3, 0, -8}, {3, 2.4, -4});
+    maker.box({-3, 2.8, -8}, {3, 4, -4.0});  // no room to stand above the edge
+    const auto level = maker.finish();
+    const auto game = *game::Game::start(level);
+    while (game->hero().body.footing != Footing::ledge && game->seconds() < 5) {
+        game::HeroInput input{.move_z = -1};
+        if (game->feet().z < -2.5) press(input, game::Button::jump);
+        game->tick(input);
+    }
+    ASSERT_EQ(game->hero().body.footing, Footing::ledge);
+    const auto bot = navigator(atlas_of(level));
+    while (game->outcome() == game::Outcome::playing && game->seconds() < 30) game->tick(bot->decide(*game));
+    EXPECT_EQ(game->outcome(), game::Outcome::won) << bot->doing();
+}
+
 TEST(Navigator, finishes_by_its_recording_alone) {
     const auto level = test::gaps_lift_key_and_door();
     const auto bot = navigator(atlas_of(level), 5);
