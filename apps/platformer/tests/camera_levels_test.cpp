@@ -46,16 +46,20 @@ TEST_P(CameraOnLevel, keeps_the_hero_in_sight) {
     World decor;
     ASSERT_TRUE(level->decor.triangle_count() == 0 || decor.add(level->decor));
     const CameraSettings settings;
-    CameraState camera = camera_behind(game.world(), target(game), settings,
+    const CameraScene scene(game.world(), &decor, game.settings().surfaces);
+    CameraState camera = camera_behind(scene, target(game), settings,
                                        std::atan2(game.hero().facing.x, game.hero().facing.z));
     CameraWatch watch;
     const bool tells = std::getenv("TELL") != nullptr;
     bool was_hidden = false;
-    while (game.outcome() == game::Outcome::playing && (*bot)->gave_up().empty() && game.seconds() < 150) {
+    while (game.outcome() != game::Outcome::won && (*bot)->gave_up().empty() && game.seconds() < 150) {
+        if (game.outcome() == game::Outcome::lost) game.retry();
         game.tick((*bot)->decide(game));
         const CameraState before = camera;
-        camera = advance(before, game.world(), target(game), settings, {}, hint(game), game::tick_seconds);
-        watch.tick(game.world(), &decor, target(game), before, camera);
+        camera = advance(before, scene, target(game), settings, {}, hint(game), game::tick_seconds);
+        watch.tick(scene, target(game), before, camera);
+        if (tells && game.ticks() % 120 == 0)
+            std::printf("   %7.2f yaw %.2f pitch %.2f rise %.2f seeks %d goal %.2f %.2f veiled %.2f share %.2f\n", game.seconds(), camera.yaw, camera.pitch, camera.rise, camera.seeks, camera.goal_yaw, camera.goal_pitch, camera.veiled, camera.share);
         if (tells && watch.is_hidden() != was_hidden) {
             was_hidden = watch.is_hidden();
             std::printf("   %7.2f %s\n", game.seconds(), was_hidden ? "hidden" : "seen");

@@ -32,22 +32,25 @@ public:
     };
 
     /// `before` and `after` are the states at the ends of a tick in which the hero moved to where `target` says.
-    void tick(const World& world, const World* decor, const CameraTarget& target, const CameraState& before,
+    void tick(const CameraScene& scene, const CameraTarget& target, const CameraState& before,
               const CameraState& after) {
         const view::Camera last = camera_between(before, before, 1);
         const view::Camera now = camera_between(after, after, 1);
         const bool was_put = glm::length(target.position - before.target) > 2;
-        const WorldQuery at_end{.begin = 1, .end = 1};
+        const auto is_solid = [&](std::uint32_t, std::uint32_t, std::uint32_t surface) {
+            return !scene.surfaces[surface].one_way;
+        };
         std::array<Overlap, 4> room;
+        const dvec3 feet = target.position - dvec3(0, target.half_height, 0);
         ++found_.ticks;
-        if (world.overlap(Sphere{eye_radius}, now.eye, room, at_end) > 0) ++found_.inside;
+        if (scene.world.overlap(Sphere{eye_radius}, now.eye, room, {.triangles = is_solid, .begin = 1, .end = 1}) > 0) ++found_.inside;
         int within = 0;
         int seen = 0;
         for (const dvec3& point : body_points(target, now.eye)) {
             const auto at = now.project(point, picture);
             const bool is_within = at && at->at.x > 0 && at->at.y > 0 && at->at.x < picture.x && at->at.y < picture.y;
             within += is_within ? 1 : 0;
-            seen += is_within && is_seen(world, decor, now.eye, point) ? 1 : 0;
+            seen += is_within && is_seen(scene.world, scene.decor, now.eye, point) ? 1 : 0;
         }
         constexpr int enough = 3;
         if (within < enough) ++found_.outside;
@@ -57,10 +60,16 @@ public:
         found_.hidden_for = std::max(found_.hidden_for, hidden_for_);
         if (within < enough || (is_hidden && !is_shown_anyway(after))) ++found_.unseen;
         if (glm::length(now.eye - target.position) < 1) ++found_.near;
-        if (was_put) return;
-        const double moved = glm::length(now.eye - last.eye - (target.position - before.target));
+        if (was_put || found_.ticks == 1) {
+            feet_ = feet;
+            return;
+        }
+        const double moved = glm::length(now.eye - last.eye - (feet - feet_));
         const double turned = std::acos(std::clamp(glm::dot(now.forward, last.forward), -1.0, 1.0));
         if (moved > 0.5 || turned > 0.15) ++found_.cuts;
+        if (std::getenv("TELL") && (moved > 0.4 || turned > 0.10 || glm::length(now.eye - target.position) < 1))
+            std::printf("   tick %d: moved %.2f turned %.2f near %.2f share %.2f seeks %d hidden %.2f yaw %.2f rise %.2f goal %.2f %.2f\n", found_.ticks, moved, turned, glm::length(now.eye - target.position), after.share, after.seeks, after.hidden, after.yaw, after.rise, after.goal_yaw, after.goal_pitch);
+        feet_ = feet;
         found_.fastest = std::max(found_.fastest, moved);
         found_.fastest_turn = std::max(found_.fastest_turn, turned);
     }
@@ -96,9 +105,10 @@ private:
         const WorldQuery at_end{.begin = 1, .end = 1};
         return !world.ray_any({eye, point}, at_end) && (decor == nullptr || !decor->ray_any({eye, point}, at_end));
     }
-    static bool is_shown_anyway(const CameraState&) { return false; }
+    static bool is_shown_anyway(const CameraState& state) { return state.door > 0.5; }
 
     Found found_;
+    dvec3 feet_{0, 0, 0};
     int hidden_for_ = 0;
 };
 
