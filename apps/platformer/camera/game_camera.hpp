@@ -91,8 +91,12 @@ struct CameraState {
     double head_height = 1.15;   ///< over the hero's feet: where the eye starts from [m]
     double veiled = 0;           ///< for how long most of the hero has been behind something that is drawn [s]
     double door = 0;             ///< how far what is between them is to be drawn as a screen door [0 to 1]
+    bool in_leaves = false;      ///< something of the decor is within `leaves_reach` of the eye
     double opacity = 1;          ///< of a hero who is so near that it would fill the picture [0 to 1]
 };
+
+/// What of the decor is as near to the eye is in the way [m].
+inline constexpr double leaves_reach = 1.4;
 
 /// Looks at the hero from behind, at once.
 [[nodiscard]] CameraState camera_behind(const CameraScene& scene, const CameraTarget& target, const CameraSettings& settings,

@@ -1,6 +1,7 @@
 #include "platformer/camera/placing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -196,6 +197,8 @@ dvec3 eased_head(CameraState& s, const CameraScene& scene, const CameraTarget& t
 /// How much of the hero is behind something that is drawn, for how long, and what is done about it.
 void look_through(CameraState& s, const Surroundings& around, bool at_once, double dt) {
     const int veiled = veiled_points(around, s.eye);
+    std::array<Overlap, 1> leaves;
+    s.in_leaves = around.decor != nullptr && around.decor->overlap(Sphere{leaves_reach}, s.eye, leaves) > 0;
     s.veiled = veiled >= 3 ? s.veiled + dt : 0;
     const double door = veiled >= 2 ? 1 : 0;
     s.door = at_once ? door : std::clamp(s.door + (door > s.door ? quick_door : -slow_door) * dt, 0.0, 1.0);

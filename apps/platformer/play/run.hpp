@@ -42,6 +42,7 @@ public:
         Plan plan;
         std::unique_ptr<game::Game> game;
         std::unique_ptr<game::Game> ghost{};
+        World decor{};
     };
 
     /// What takes long, on any thread. Fails as `Game::start` does.
@@ -93,11 +94,14 @@ private:
     explicit Run(Plan plan);
     [[nodiscard]] game::HeroInput input_of(const Asked& asked) const;
     [[nodiscard]] std::optional<CameraHint> hint() const;
+    [[nodiscard]] CameraScene scene() const { return {game_->world(), &decor_, game_->settings().surfaces}; }
+    [[nodiscard]] view::ScreenDoor door(double blend) const;
     void stand();
 
     Plan plan_;
     std::unique_ptr<game::Game> game_;
     LevelLook look_;
+    World decor_;  // of what is drawn and not solid, for the camera
     std::optional<Actors> actors_;
     game::Recorder recorder_;
     std::optional<game::Player> player_;  // of what is watched
