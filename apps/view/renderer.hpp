@@ -43,7 +43,8 @@ struct EdgeLook {
 
 struct ModelLook {
     EdgeLook edges{};
-    bool moves = false;  ///< its shadow is drawn anew with every frame
+    bool moves = false;   ///< its shadow is drawn anew with every frame
+    bool yields = false;  ///< has holes close up to what is seen through a `ScreenDoor`, as leaves around it should
 };
 
 /// What is to be seen whatever stands before it: models in between are drawn with holes, as a screen door, in a soft

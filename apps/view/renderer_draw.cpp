@@ -208,6 +208,7 @@ void Renderer::draw_models() {
             const gl::Program& door = p.door[effects.shadows ? 1 : 0];
             use(door);
             set_door(door);
+            door.set("door_gap", m.look.yields ? -0.5F : 0.3F);
             counts_.triangles += m.model->draw_parted(seen, line, true);
             continue;
         }

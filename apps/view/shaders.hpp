@@ -146,6 +146,7 @@ uniform vec3 door_right;  // across the look, by the half size
 uniform vec3 door_above;
 uniform float door_strength;
 uniform float door_near;
+uniform float door_gap;   // before what is to be seen, where nothing has holes
 const float holes[16] = float[16](0.5, 8.5, 2.5, 10.5, 12.5, 4.5, 14.5, 6.5, 3.5, 11.5, 1.5, 9.5, 15.5, 7.5, 13.5, 5.5);
 
 float openness() {
@@ -153,7 +154,7 @@ float openness() {
     vec3 off = v_place / share - door_middle;
     float aside = length(vec2(dot(off, door_right), dot(off, door_above)));
     float before = (1.0 - share) * length(door_middle);
-    float open = door_strength * (1.0 - smoothstep(0.85, 1.5, aside)) * smoothstep(0.3, 0.6, before);
+    float open = door_strength * (1.0 - smoothstep(0.85, 1.5, aside)) * smoothstep(door_gap, door_gap + 0.3, before);
     return max(open, 0.9 * (1.0 - smoothstep(0.3, max(door_near, 0.31), length(v_place))));
 }
 #endif

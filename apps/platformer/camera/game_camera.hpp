@@ -2,6 +2,7 @@
 /// A state that is advanced tick by tick, as a character is; nothing is hidden in it.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <surefoot/character.hpp>
@@ -85,7 +86,8 @@ struct CameraState {
     double widened = 0;          ///< of the field of view [rad]
     double field_of_view = 1.0;  ///< [rad]
     double hidden = 0;           ///< for how long something has been between it and the hero [s]
-    dvec3 last_seen{0, 0, 0};    ///< where the hero's head was before [m]
+    /// Where the hero's head was, a stride apart, the latest first: a way through any gap that the hero came through [m].
+    std::array<dvec3, 12> trail{};
     dvec3 head{0, 0, 0};         ///< where it is [m]
     dvec3 target{0, 0, 0};       ///< where the hero was [m]
     double head_height = 1.15;   ///< over the hero's feet: where the eye starts from [m]
@@ -96,7 +98,7 @@ struct CameraState {
 };
 
 /// What of the decor is as near to the eye is in the way [m].
-inline constexpr double leaves_reach = 1.4;
+inline constexpr double leaves_reach = 1.0;
 
 /// Looks at the hero from behind, at once.
 [[nodiscard]] CameraState camera_behind(const CameraScene& scene, const CameraTarget& target, const CameraSettings& settings,

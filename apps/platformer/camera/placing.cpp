@@ -19,7 +19,8 @@ constexpr double quick_in = 14;          // towards the hero [1/s]
 constexpr double side_room = 2.2;        // farther away than this a wall at its side makes nothing narrow [m]
 constexpr double corridor_share = 0.38;  // of the distance, that a corridor takes away
 constexpr double fastest_eye = 26;       // relative to the hero [m/s]
-constexpr double longest_hidden = 0.4;   // [s]
+constexpr double longest_hidden = 0.8;   // [s]
+constexpr double stride = 0.4;           // from place to place of the trail [m]
 constexpr double fastest_in = 22;        // [m/s]
 constexpr double steer_rate = 2.2;       // around what is about to come between [rad/s]
 constexpr double slow_out = 1.6;         // [1/s]
@@ -74,31 +75,36 @@ Sight look_ahead(const CameraScene& scene, const CameraTarget& target, const dve
     return sight;
 }
 
+/// Where the ball of the eye gets from `from` on its way after the hero, whom it does not see: to the latest place of
+/// their head that it reaches.
+dvec3 on_trail(const CameraState& s, const CameraScene& scene, const dvec3& from, double most,
+               const WorldQuery& query) {
+    for (const dvec3& place : s.trail) {
+        if (ball_share(scene.world, from, place, query) < 1) continue;
+        const dvec3 way = place - from;
+        return from + way * std::min(most / std::max(glm::length(way), 1e-9), 1.0);
+    }
+    return from;
+}
+
 /// No faster than it may, and through nothing. What it cannot follow quickly enough, because the hero went behind a
-/// corner at its side, it loses from sight for a moment, and goes to where it saw it last; in the end it cuts.
-void go_to(CameraState& s, const CameraScene& scene, const dvec3& anchor, const dvec3& best,
-           const WorldQuery& query, double dt) {
+/// corner at its side, it loses from sight for a moment, and goes after them; in the end it cuts.
+void go_to(CameraState& s, const CameraScene& scene, const dvec3& anchor, const dvec3& best, const WorldQuery& query,
+           double dt) {
     const World& world = scene.world;
     const double most = fastest_eye * dt;
     const dvec3 along = moved_ball(world, s.eye, s.eye + (anchor - s.head), query);
-    const bool lost = s.hidden > 0;
     const dvec3 to_best = best - along;
     if (glm::length(to_best) <= most && moved_ball(world, along, best, query) == best) {
         s.eye = best;
         s.hidden = 0;
         return;
     }
-    const auto towards = [&](const dvec3& goal) {
-        const dvec3 way = goal - along;
-        const double length = glm::length(way);
-        return moved_ball(world, along, length > most ? along + way * (most / length) : goal, query);
-    };
-    dvec3 next = towards(best);
+    const double share = std::min(most / std::max(glm::length(to_best), 1e-9), 1.0);
+    dvec3 next = moved_ball(world, along, along + to_best * share, query);
     if (sight_share(world, anchor, next, query) < 1) {
-        if (!lost) s.last_seen = s.head;
-        next = towards(s.last_seen);
-        const bool sees = sight_share(world, anchor, next, query) == 1;
-        s.hidden = sees ? 0 : s.hidden + dt;
+        next = on_trail(s, scene, s.eye, most, query);
+        s.hidden = sight_share(world, anchor, next, query) < 1 ? s.hidden + dt : 0;
     } else {
         s.hidden = 0;
     }
@@ -254,6 +260,11 @@ void place_eye(CameraState& s, const CameraScene& scene, const CameraTarget& tar
         go_to(s, scene, anchor, best, query, dt);
     }
     s.head = anchor;
+    if (at_once) s.trail.fill(anchor);
+    if (glm::length(anchor - s.trail[0]) > stride) {
+        std::copy_backward(s.trail.begin(), s.trail.end() - 1, s.trail.end());
+        s.trail[0] = anchor;
+    }
     look_through(s, around, at_once, dt);
     const double near = glm::length(s.eye - anchor);
     s.opacity = std::clamp((near - 0.45) / 0.4, 0.0, 1.0);
