@@ -92,6 +92,8 @@ struct CameraState {
     dvec3 target{0, 0, 0};       ///< where the hero was [m]
     double head_height = 1.15;   ///< over the hero's feet: where the eye starts from [m]
     double veiled = 0;           ///< for how long most of the hero has been behind something that is drawn [s]
+    double behind = 0;           ///< for how long the line to the head has led through something solid [s]
+    double strict = 0;           ///< for so long nothing is slight enough to be looked through [s]
     double door = 0;             ///< how far what is between them is to be drawn as a screen door [0 to 1]
     bool in_leaves = false;      ///< something of the decor is within `leaves_reach` of the eye
     double opacity = 1;          ///< of a hero who is so near that it would fill the picture [0 to 1]

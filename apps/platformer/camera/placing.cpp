@@ -19,16 +19,21 @@ constexpr double quick_in = 14;          // towards the hero [1/s]
 constexpr double side_room = 2.2;        // farther away than this a wall at its side makes nothing narrow [m]
 constexpr double corridor_share = 0.38;  // of the distance, that a corridor takes away
 constexpr double fastest_eye = 26;       // relative to the hero [m/s]
-constexpr double longest_hidden = 0.8;   // [s]
+constexpr double longest_hidden = 0.5;   // [s]
 constexpr double stride = 0.4;           // from place to place of the trail [m]
 constexpr double fastest_in = 22;        // [m/s]
 constexpr double steer_rate = 2.2;       // around what is about to come between [rad/s]
 constexpr double slow_out = 1.6;         // [1/s]
+constexpr double quick_out = 5;          // [1/s]
+constexpr double cramped_at = 1.7;       // nearer than that the hero fills the picture [m]
 constexpr double fastest_out = 5;        // [m/s]
 constexpr double seek_below = 0.55;      // of `worth_of`: another direction is looked for
 constexpr double rest_above = 0.75;      // and the usual one is good enough again
 constexpr double seek_yaw = 2.6;         // to where it sees better [rad/s]
 constexpr double seek_rise = 2.2;        // likewise
+constexpr double slightest = 0.45;       // a board, a post [m]
+constexpr double longest_behind = 0.35;  // something like that, and then it goes where nothing is between [s]
+constexpr double stays_strict = 1.0;     // once it was so, as long as its place would be behind something, and on [s]
 constexpr double longest_veiled = 0.3;   // then it looks for another direction, too [s]
 constexpr double quick_door = 8;         // [1/s]
 constexpr double slow_door = 3;          // [1/s]
@@ -46,6 +51,11 @@ Vantage vantage_of(const CameraState& s) {
     return {s.yaw, std::clamp(s.pitch + s.dip + s.rise, lowest, highest)};
 }
 
+/// How thick something may be along a look that is looked through: nothing, where it has been for too long.
+double slight_of(const CameraState& s) {
+    return s.strict > 0 ? 0 : slightest;
+}
+
 /// Not so steep that a picture would not know where up is.
 dvec3 upright(const dvec3& forward) {
     constexpr double steepest = 0.985;  // sine of 80 degrees
@@ -58,17 +68,17 @@ dvec3 upright(const dvec3& forward) {
 
 /// How much of the way is allowed, now and where the hero will be soon.
 Sight look_ahead(const CameraScene& scene, const CameraTarget& target, const dvec3& anchor, const dvec3& way,
-                 const WorldQuery& query) {
+                 double slight, const WorldQuery& query) {
     const double length = glm::length(way);
     const dvec3 direction = way / length;
-    Sight sight = look_back(scene.world, anchor, direction, length, query);
+    Sight sight = look_back(scene.world, anchor, direction, length, slight, query);
     const dvec3 course = target.velocity - target.carried;
     for (const double soon : {0.10, 0.22, 0.36}) {
         const dvec3 step_to = anchor + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * soon;
         if (glm::length(step_to - anchor) < 0.05) continue;
         const dvec3 there =
-            anchor + (step_to - anchor) * sight_share(scene.world, anchor, step_to, query);
-        const Sight then = look_back(scene.world, there, direction, length, query);
+            anchor + (step_to - anchor) * sight_share(scene.world, anchor, step_to, slight, query);
+        const Sight then = look_back(scene.world, there, direction, length, slight, query);
         sight.allowed = std::min(sight.allowed, then.allowed + fastest_in * soon);
         if (std::abs(then.to_left) > std::abs(sight.to_left)) sight.to_left = then.to_left;
     }
@@ -77,12 +87,17 @@ Sight look_ahead(const CameraScene& scene, const CameraTarget& target, const dve
 
 /// Where the ball of the eye gets from `from` on its way after the hero, whom it does not see: to the latest place of
 /// their head that it reaches.
-dvec3 on_trail(const CameraState& s, const CameraScene& scene, const dvec3& from, double most,
+dvec3 on_trail(const CameraState& s, const CameraScene& scene, const dvec3& from, const dvec3& moved, double most,
                const WorldQuery& query) {
     for (const dvec3& place : s.trail) {
         if (ball_share(scene.world, from, place, query) < 1) continue;
-        const dvec3 way = place - from;
-        return from + way * std::min(most / std::max(glm::length(way), 1e-9), 1.0);
+        const double length = glm::length(place - from);
+        if (!(length > 1e-9)) continue;
+        const dvec3 way = (place - from) / length;
+        // So far that it moves by `most` relative to the hero, who moved too.
+        const double with = glm::dot(way, moved);
+        const double reach = with + std::sqrt(std::max(most * most - glm::dot(moved, moved) + with * with, 0.0));
+        return from + way * std::clamp(reach, 0.0, length);
     }
     return from;
 }
@@ -92,6 +107,7 @@ dvec3 on_trail(const CameraState& s, const CameraScene& scene, const dvec3& from
 void go_to(CameraState& s, const CameraScene& scene, const dvec3& anchor, const dvec3& best, const WorldQuery& query,
            double dt) {
     const World& world = scene.world;
+    const double slight = slight_of(s);
     const double most = fastest_eye * dt;
     const dvec3 along = moved_ball(world, s.eye, s.eye + (anchor - s.head), query);
     const dvec3 to_best = best - along;
@@ -102,9 +118,9 @@ void go_to(CameraState& s, const CameraScene& scene, const dvec3& anchor, const 
     }
     const double share = std::min(most / std::max(glm::length(to_best), 1e-9), 1.0);
     dvec3 next = moved_ball(world, along, along + to_best * share, query);
-    if (sight_share(world, anchor, next, query) < 1) {
-        next = on_trail(s, scene, s.eye, most, query);
-        s.hidden = sight_share(world, anchor, next, query) < 1 ? s.hidden + dt : 0;
+    if (sight_share(world, anchor, next, slight, query) < 1) {
+        next = on_trail(s, scene, s.eye, anchor - s.head, most, query);
+        s.hidden = sight_share(world, anchor, next, slight, query) < 1 ? s.hidden + dt : 0;
     } else {
         s.hidden = 0;
     }
@@ -119,6 +135,11 @@ void go_to(CameraState& s, const CameraScene& scene, const dvec3& anchor, const 
     const dvec3 looks = flat(anchor - s.eye);
     if (glm::length(looks) > 0.4 && s.since_turn > 0)
         s.yaw += turn_between(s.yaw, std::atan2(looks.x, looks.z)) * eased(6, dt);
+    const dvec3 out = s.eye - s.look_at;
+    if (s.hidden > 0 && glm::length(out) > 0.4) {
+        const double stands = std::asin(std::clamp(out.y / glm::length(out), -1.0, 1.0));
+        s.rise += (stands - vantage_of(s).pitch) * eased(6, dt);
+    }
 }
 
 /// How narrow it is where the hero stands, across the look: 1 between walls that nearly touch it, 0 in the open.
@@ -225,9 +246,11 @@ void place_eye(CameraState& s, const CameraScene& scene, const CameraTarget& tar
     const double distance = s.distance * (1 - corridor_share * s.narrow * s.narrow);
     const dvec3 course = target.velocity - target.carried;
     const dvec3 step_to = anchor + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * 0.25;
-    const double free = sight_share(scene.world, anchor, step_to, query);
+    const double slight = slight_of(s);
+    const double free = sight_share(scene.world, anchor, step_to, slight, query);
     const Surroundings around{.world = scene.world,
                               .decor = scene.decor,
+                              .slight = slight,
                               .query = query,
                               .head = anchor,
                               .soon = anchor + (step_to - anchor) * free,
@@ -240,14 +263,16 @@ void place_eye(CameraState& s, const CameraScene& scene, const CameraTarget& tar
     const dvec3 way = wished - anchor;
     const double length = glm::length(way);
     if (!(length > 1e-6)) return;
-    const Sight sight = look_ahead(scene, target, anchor, way, query);
+    const Sight sight = look_ahead(scene, target, anchor, way, slight, query);
     const double allowed = sight.allowed / length;
     if (at_once) {
         s.share = allowed;
     } else if (allowed < s.share) {
         s.share += std::max((allowed - s.share) * eased(quick_in, dt), -fastest_in * dt / length);
     } else {
-        s.share += std::min((allowed - s.share) * eased(slow_out, dt), fastest_out * dt / length);
+        // From where the hero fills the picture it goes sooner.
+        const double cramped = std::clamp((cramped_at - s.share * length) / 0.5, 0.0, 1.0);
+        s.share += std::min((allowed - s.share) * eased(slow_out + quick_out * cramped, dt), fastest_out * dt / length);
     }
     // Whatever was eased: never beyond what is in the way.
     s.share = std::clamp(std::min(s.share, sight.free / length), 0.0, 1.0);
@@ -260,6 +285,11 @@ void place_eye(CameraState& s, const CameraScene& scene, const CameraTarget& tar
         go_to(s, scene, anchor, best, query, dt);
     }
     s.head = anchor;
+    s.behind = seen_share(scene.world, anchor, s.eye, query) < 1 ? s.behind + dt : 0;
+    if (s.behind > longest_behind || (s.strict > 0 && seen_share(scene.world, anchor, wished, query) < 1))
+        s.strict = stays_strict;
+    else
+        s.strict = std::max(s.strict - dt, 0.0);
     if (at_once) s.trail.fill(anchor);
     if (glm::length(anchor - s.trail[0]) > stride) {
         std::copy_backward(s.trail.begin(), s.trail.end() - 1, s.trail.end());

@@ -9,7 +9,6 @@ namespace surefoot::platformer {
 namespace {
 
 constexpr double thin = 0.06;    // of the ball that is swept along a look [m]
-constexpr double slight = 0.45;   // what is no thicker than this along a look is looked through [m]
 constexpr int most_faces = 12;
 constexpr double air = 0.01;     // that is kept around a ball [m]
 constexpr double stride = 0.10;  // between two places that are tried for the eye [m]
@@ -41,7 +40,8 @@ double seen_share(const World& world, const dvec3& from, const dvec3& to, const 
     return hit ? std::max(hit->t - air / length, 0.0) : 1;
 }
 
-double sight_share(const World& world, const dvec3& from, const dvec3& to, const WorldQuery& query) {
+double sight_share(const World& world, const dvec3& from, const dvec3& to, double slight, const WorldQuery& query) {
+    if (!(slight > 0)) return seen_share(world, from, to, query);
     const double length = glm::length(to - from);
     if (!(length > 0)) return 0;
     const WorldQuery at_end = now(query);
@@ -135,10 +135,10 @@ double roomy_share(const World& world, const dvec3& from, const dvec3& to, doubl
     return 0;
 }
 
-Sight look_back(const World& world, const dvec3& anchor, const dvec3& direction, double length,
+Sight look_back(const World& world, const dvec3& anchor, const dvec3& direction, double length, double slight,
                 const WorldQuery& query) {
     Sight sight;
-    sight.free = length * sight_share(world, anchor, anchor + direction * length, query);
+    sight.free = length * sight_share(world, anchor, anchor + direction * length, slight, query);
     sight.allowed = sight.free;
     dvec3 side = glm::cross(dvec3(0, 1, 0), direction);
     if (glm::length(side) < 1e-6) side = {1, 0, 0};
@@ -149,7 +149,7 @@ Sight look_back(const World& world, const dvec3& anchor, const dvec3& direction,
         const double reach = length - least;  // farther away it allows all
         if (reach <= 0) return length;
         const dvec3 end = anchor + bent(direction, towards, angle) * reach;
-        const double allowed = std::min(reach * sight_share(world, anchor, end, query) + least, length);
+        const double allowed = std::min(reach * sight_share(world, anchor, end, slight, query) + least, length);
         sight.allowed = std::min(sight.allowed, allowed);
         return allowed;
     };

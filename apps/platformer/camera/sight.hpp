@@ -20,15 +20,16 @@ struct Sight {
 /// `length_per_angle * a`. So what comes between is met by a camera that is near already, and in a corridor it stays
 /// close.
 [[nodiscard]] Sight look_back(const World& world, const dvec3& anchor, const dvec3& direction, double length,
-                              const WorldQuery& query = {});
+                              double slight, const WorldQuery& query = {});
 inline constexpr double length_per_angle = 7;  ///< [m/rad]
 
 /// How far a thin ray with a little room around it gets from `from` to `to`, as a share of the way.
 [[nodiscard]] double seen_share(const World& world, const dvec3& from, const dvec3& to, const WorldQuery& query = {});
 
-/// The same, but what is slight does not count: boards, posts, the edge of a corner. One who draws lets the hero be seen
-/// through it.
-[[nodiscard]] double sight_share(const World& world, const dvec3& from, const dvec3& to, const WorldQuery& query = {});
+/// The same, but what is no thicker than `slight` along the look does not count: boards, posts, the edge of a corner.
+/// One who draws lets the hero be seen through it.
+[[nodiscard]] double sight_share(const World& world, const dvec3& from, const dvec3& to, double slight,
+                                 const WorldQuery& query = {});
 
 /// Places of a body that is `half_height` high to both sides of its middle, as they are seen from `eye`: head, chest,
 /// shins, both sides.

@@ -32,8 +32,8 @@ double reach(const Surroundings& around, const Vantage& vantage) {
     const dvec3 eye = around.look_at + outward(vantage) * around.distance;
     const dvec3 way = eye - around.head;
     const double length = glm::length(way);
-    const double here = length * sight_share(around.world, around.head, eye, around.query);
-    const double then = length * sight_share(around.world, around.soon, around.soon + way, around.query);
+    const double here = length * sight_share(around.world, around.head, eye, around.slight, around.query);
+    const double then = length * sight_share(around.world, around.soon, around.soon + way, around.slight, around.query);
     return std::min(here, then);
 }
 

@@ -17,6 +17,7 @@ struct Vantage {
 struct Surroundings {
     const World& world;           ///< what the eye cannot be in, nor see through
     const World* decor;           ///< what it is better not behind; may be null
+    double slight = 0;            ///< what it sees through, as `sight_share` has it [m]
     WorldQuery query{};           ///< which bodies there are for it
     dvec3 head{0, 0, 0};          ///< where in the hero's volume there is room for the ball of the eye [m]
     dvec3 soon{0, 0, 0};          ///< and where that will be in a moment [m]

@@ -1,4 +1,4 @@
-// The camera through every level of the game, behind the bot that knows its way.
+// The camera through every level of the game, behind the bot that knows its way and behind one who tries everything.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,14 +8,13 @@
 
 #include "camera_watch.hpp"
 #include "game/game.hpp"
+#include "playtest/explorer.hpp"
 #include "playtest/navigator.hpp"
 
 namespace surefoot::platformer::tests {
 namespace {
 
-std::vector<std::string> level_files() {
-    return game::levels_in(std::string(SUREFOOT_LEVELS_DIR) + "/platformer");
-}
+constexpr double degree = 3.14159265358979323846 / 180;
 
 CameraTarget target(const game::Game& game) {
     const dvec3& facing = game.hero().facing;
@@ -23,49 +22,74 @@ CameraTarget target(const game::Game& game) {
 }
 
 std::optional<CameraHint> hint(const game::Game& game) {
-    constexpr double degree = 3.14159265358979323846 / 180;
     for (const game::CameraHint& hint : game.level().cameras)
         if (hint.zone.holds(game.hero().body.position))
             return CameraHint{(hint.yaw_deg + 180) * degree, hint.pitch_deg * degree, hint.distance};
     return std::nullopt;
 }
 
-class CameraOnLevel : public testing::TestWithParam<std::string> {};
+struct Tick {
+    const CameraScene& scene;
+    const CameraTarget& target;
+    const CameraState& before;
+    const std::optional<CameraHint>& hint;
+};
 
-TEST_P(CameraOnLevel, keeps_the_hero_in_sight) {
-    auto read = game::read_level(GetParam());
-    ASSERT_TRUE(read) << read.error().text;
-    const auto level = std::make_shared<const game::Level>(std::move(*read));
-    const auto atlas = playtest::Atlas::make(level);
+/// One tick of a camera: the game's own, or one that lacks something.
+using Camera = std::function<CameraState(const Tick&)>;
+
+CameraState the_games_own(const Tick& tick) {
+    return advance(tick.before, tick.scene, tick.target, {}, {}, tick.hint, game::tick_seconds);
+}
+
+/// Plays until it is won, until the bot gives up, or for so long.
+CameraWatch watched(const std::shared_ptr<const game::Level>& level, playtest::Bot& bot, double seconds,
+                    const Camera& camera) {
+    CameraWatch watch;
+    auto started = game::Game::start(level);
+    World decor;
+    const bool is_there = started && (level->decor.triangle_count() == 0 || decor.add(level->decor));
+    EXPECT_TRUE(is_there);
+    if (!is_there) return watch;
+    game::Game& game = **started;
+    const CameraScene scene(game.world(), &decor, game.settings().surfaces);
+    CameraState state = camera_behind(scene, target(game), {}, target(game).facing);
+    while (game.outcome() != game::Outcome::won && bot.gave_up().empty() && game.seconds() < seconds) {
+        if (game.outcome() == game::Outcome::lost) game.retry();
+        game.tick(bot.decide(game));
+        const CameraState before = state;
+        state = camera({scene, target(game), before, hint(game)});
+        watch.tick(scene, target(game), before, state);
+    }
+    return watch;
+}
+
+class CameraOnLevel : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        auto read = game::read_level(GetParam());
+        ASSERT_TRUE(read) << read.error().text;
+        level_ = std::make_shared<const game::Level>(std::move(*read));
+    }
+
+    std::shared_ptr<const game::Level> level_;
+};
+
+TEST_P(CameraOnLevel, keeps_who_goes_to_the_goal_in_sight) {
+    const auto atlas = playtest::Atlas::make(level_);
     ASSERT_TRUE(atlas) << atlas.error().text;
     auto bot = playtest::Navigator::make(*atlas, {.seed = 1});
     ASSERT_TRUE(bot) << bot.error().text;
-    auto started = game::Game::start(level);
-    ASSERT_TRUE(started) << started.error().text;
-    game::Game& game = **started;
-    World decor;
-    ASSERT_TRUE(level->decor.triangle_count() == 0 || decor.add(level->decor));
-    const CameraSettings settings;
-    const CameraScene scene(game.world(), &decor, game.settings().surfaces);
-    CameraState camera = camera_behind(scene, target(game), settings,
-                                       std::atan2(game.hero().facing.x, game.hero().facing.z));
-    CameraWatch watch;
-    const bool tells = std::getenv("TELL") != nullptr;
-    bool was_hidden = false;
-    while (game.outcome() != game::Outcome::won && (*bot)->gave_up().empty() && game.seconds() < 150) {
-        if (game.outcome() == game::Outcome::lost) game.retry();
-        game.tick((*bot)->decide(game));
-        const CameraState before = camera;
-        camera = advance(before, scene, target(game), settings, {}, hint(game), game::tick_seconds);
-        watch.tick(scene, target(game), before, camera);
-        if (tells && game.ticks() % 120 == 0)
-            std::printf("   %7.2f yaw %.2f pitch %.2f rise %.2f seeks %d goal %.2f %.2f veiled %.2f share %.2f\n", game.seconds(), camera.yaw, camera.pitch, camera.rise, camera.seeks, camera.goal_yaw, camera.goal_pitch, camera.veiled, camera.share);
-        if (tells && watch.is_hidden() != was_hidden) {
-            was_hidden = watch.is_hidden();
-            std::printf("   %7.2f %s\n", game.seconds(), was_hidden ? "hidden" : "seen");
-        }
+    const CameraWatch watch = watched(level_, **bot, 150, the_games_own);
+    watch.print(level_->id);
+}
+
+TEST_P(CameraOnLevel, keeps_who_tries_everything_in_sight) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        playtest::Explorer bot(seed);
+        const CameraWatch watch = watched(level_, bot, 60, the_games_own);
+        watch.print(level_->id + " explored");
     }
-    watch.print(level->id);
 }
 
 std::string name_of_level(const testing::TestParamInfo<std::string>& info) {
@@ -74,7 +98,9 @@ std::string name_of_level(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, CameraOnLevel, testing::ValuesIn(level_files()), name_of_level);
+INSTANTIATE_TEST_SUITE_P(Of, CameraOnLevel,
+                         testing::ValuesIn(game::levels_in(std::string(SUREFOOT_LEVELS_DIR) + "/platformer")),
+                         name_of_level);
 
 }  // namespace
 }  // namespace surefoot::platformer::tests
