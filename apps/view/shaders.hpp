@@ -115,7 +115,7 @@ void main() {
 )";
 
 /// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface. With DOOR,
-/// what is before the thing that is to be seen has holes, in an order (Bayer's) that spreads them evenly.
+/// `door` (door_shader.hpp) goes before it.
 inline constexpr std::string_view mesh_fragment = R"(
 in vec3 v_place;
 #ifdef LIT_WHOLE
@@ -139,29 +139,9 @@ vec4 kind(uint edge) {
     return k == 0u ? edge_colours[0] : k == 1u ? edge_colours[1] : k == 2u ? edge_colours[2] : edge_colours[3];
 }
 #endif
-#ifdef DOOR
-uniform vec3 door_middle; // what is to be seen
-uniform vec3 door_ahead;  // towards it, by its distance squared
-uniform vec3 door_right;  // across the look, by the half size
-uniform vec3 door_above;
-uniform float door_strength;
-uniform float door_near;
-uniform float door_gap;   // before what is to be seen, where nothing has holes
-const float holes[16] = float[16](0.5, 8.5, 2.5, 10.5, 12.5, 4.5, 14.5, 6.5, 3.5, 11.5, 1.5, 9.5, 15.5, 7.5, 13.5, 5.5);
-
-float openness() {
-    float share = dot(v_place, door_ahead); // of the way to what is to be seen
-    vec3 off = v_place / share - door_middle;
-    float aside = length(vec2(dot(off, door_right), dot(off, door_above)));
-    float before = (1.0 - share) * length(door_middle);
-    float open = door_strength * (1.0 - smoothstep(0.85, 1.5, aside)) * smoothstep(door_gap, door_gap + 0.3, before);
-    return max(open, 0.9 * (1.0 - smoothstep(0.3, max(door_near, 0.31), length(v_place))));
-}
-#endif
 void main() {
 #ifdef DOOR
-    ivec2 hole = ivec2(gl_FragCoord.xy) & 3;
-    if (openness() * 16.0 > holes[hole.y * 4 + hole.x]) discard;
+    if (is_hole(v_place)) discard;
 #endif
 #ifdef LIT_WHOLE
     vec3 colour = v_lit;

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double lowest_pitch = -0.35;  // [rad]
 constexpr double highest_pitch = 1.25;
-constexpr double jump_room = 1.7;        // a jump of less than this leaves the height alone [m]
-constexpr double fall_room = 0.5;        // a fall of less, too [m]
-constexpr double ahead_time = 0.22;      // how far it looks ahead, as a part of the way that is run in it [s]
-constexpr double most_ahead = 1.3;       // [m]
-constexpr double drop_depth = 2.2;       // an edge with less below is none to look down from [m]
-constexpr double drop_dip = 0.26;        // [rad]
+constexpr double jump_room = 1.7;    // a jump of less than this leaves the height alone [m]
+constexpr double fall_room = 0.5;    // a fall of less, too [m]
+constexpr double ahead_time = 0.22;  // how far it looks ahead, as a part of the way that is run in it [s]
+constexpr double most_ahead = 1.3;   // [m]
+constexpr double drop_depth = 2.2;   // an edge with less below is none to look down from [m]
+constexpr double drop_dip = 0.26;    // [rad]
 
 dvec3 flat(const dvec3& v) {
     return {v.x, 0, v.z};

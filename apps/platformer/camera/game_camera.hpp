@@ -86,25 +86,26 @@ struct CameraState {
     double widened = 0;          ///< of the field of view [rad]
     double field_of_view = 1.0;  ///< [rad]
     double hidden = 0;           ///< for how long something has been between it and the hero [s]
-    /// Where the hero's head was, a stride apart, the latest first: a way through any gap that the hero came through [m].
+    /// Where the hero's head was, a stride apart, the latest first: a way through any gap that the hero came through
+    /// [m].
     std::array<dvec3, 12> trail{};
-    dvec3 head{0, 0, 0};         ///< where it is [m]
-    dvec3 target{0, 0, 0};       ///< where the hero was [m]
-    double head_height = 1.15;   ///< over the hero's feet: where the eye starts from [m]
-    double veiled = 0;           ///< for how long most of the hero has been behind something that is drawn [s]
-    double behind = 0;           ///< for how long the line to the head has led through something solid [s]
-    double strict = 0;           ///< for so long nothing is slight enough to be looked through [s]
-    double door = 0;             ///< how far what is between them is to be drawn as a screen door [0 to 1]
-    bool in_leaves = false;      ///< something of the decor is within `leaves_reach` of the eye
-    double opacity = 1;          ///< of a hero who is so near that it would fill the picture [0 to 1]
+    dvec3 head{0, 0, 0};        ///< where it is [m]
+    dvec3 target{0, 0, 0};      ///< where the hero was [m]
+    double head_height = 1.15;  ///< over the hero's feet: where the eye starts from [m]
+    double veiled = 0;          ///< for how long most of the hero has been behind something that is drawn [s]
+    double behind = 0;          ///< for how long the line to the head has led through something solid [s]
+    double strict = 0;          ///< for so long nothing is slight enough to be looked through [s]
+    double door = 0;            ///< how far what is between them is to be drawn as a screen door [0 to 1]
+    bool in_leaves = false;     ///< something of the decor is within `leaves_reach` of the eye
+    double opacity = 1;         ///< of a hero who is so near that it would fill the picture [0 to 1]
 };
 
 /// What of the decor is as near to the eye is in the way [m].
 inline constexpr double leaves_reach = 1.0;
 
 /// Looks at the hero from behind, at once.
-[[nodiscard]] CameraState camera_behind(const CameraScene& scene, const CameraTarget& target, const CameraSettings& settings,
-                                        double yaw);
+[[nodiscard]] CameraState camera_behind(const CameraScene& scene, const CameraTarget& target,
+                                        const CameraSettings& settings, double yaw);
 
 /// On by one tick of `dt` seconds. Guarantees, as long as there is room for the ball of the eye in the hero's own
 /// volume: nothing of the world is within `eye_radius` of the eye. Relative to the hero it moves by at most 26 m/s.

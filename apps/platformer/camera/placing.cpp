@@ -76,8 +76,7 @@ Sight look_ahead(const CameraScene& scene, const CameraTarget& target, const dve
     for (const double soon : {0.10, 0.22, 0.36}) {
         const dvec3 step_to = anchor + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * soon;
         if (glm::length(step_to - anchor) < 0.05) continue;
-        const dvec3 there =
-            anchor + (step_to - anchor) * sight_share(scene.world, anchor, step_to, slight, query);
+        const dvec3 there = anchor + (step_to - anchor) * sight_share(scene.world, anchor, step_to, slight, query);
         const Sight then = look_back(scene.world, there, direction, length, slight, query);
         sight.allowed = std::min(sight.allowed, then.allowed + fastest_in * soon);
         if (std::abs(then.to_left) > std::abs(sight.to_left)) sight.to_left = then.to_left;
@@ -168,7 +167,10 @@ dvec3 framed(const CameraState& s, const CameraTarget& target) {
     const double angle = std::acos(std::clamp(glm::dot(forward, hero), -1.0, 1.0));
     const double free = 0.6 * room;
     if (angle <= free) return upright(forward);
-    const double kept = free + (room - free) * std::tanh((angle - free) / (room - free));
+    // An eye that is nearly in the hero has no way to turn after them.
+    const double firm = std::clamp((away - 0.3) / 0.7, 0.0, 1.0);
+    const double bounded = free + (room - free) * std::tanh((angle - free) / (room - free));
+    const double kept = angle + (bounded - angle) * firm;
     const dvec3 aside = forward - hero * glm::dot(forward, hero);
     if (!(glm::length(aside) > 1e-9)) return upright(hero);
     return upright(hero * std::cos(kept) + glm::normalize(aside) * std::sin(kept));
@@ -193,7 +195,9 @@ void seek(CameraState& s, const Surroundings& around, const CameraSettings& sett
         s.has_goal = true;
         s.goal_yaw = goal.yaw;
         s.goal_pitch = goal.pitch;
-        turn = std::clamp(4 * turn_between(s.yaw, goal.yaw), -seek_yaw, seek_yaw);
+        // Where the hero fills the picture there is little to be seen of a turn.
+        const double most = seek_yaw * (1 + std::clamp((cramped_at - s.share * around.distance) / 0.5, 0.0, 1.0));
+        turn = std::clamp(4 * turn_between(s.yaw, goal.yaw), -most, most);
         rise = goal.pitch - usual.pitch;
     } else {
         s.has_goal = false;

@@ -8,7 +8,7 @@
 namespace surefoot::platformer {
 namespace {
 
-constexpr double thin = 0.06;    // of the ball that is swept along a look [m]
+constexpr double thin = 0.06;  // of the ball that is swept along a look [m]
 constexpr int most_faces = 12;
 constexpr double air = 0.01;     // that is kept around a ball [m]
 constexpr double stride = 0.10;  // between two places that are tried for the eye [m]

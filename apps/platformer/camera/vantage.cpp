@@ -10,13 +10,13 @@
 namespace surefoot::platformer {
 namespace {
 
-constexpr double ample = 4.0;         // farther away is no better [m]
+constexpr double ample = 4.0;        // farther away is no better [m]
 constexpr double per_veiled = 0.12;  // what it costs to look through something, for each point of the hero
-constexpr double per_yaw = 0.26;      // what turning costs [1/rad]
-constexpr double per_rise = 0.22;     // what standing higher costs [1/rad]
-constexpr double per_fall = 0.40;     // and lower
-constexpr double loyalty = 0.15;      // what the direction that was chosen before is worth more
-constexpr double by_hand = 4;         // how much more it costs to turn against the player's hand
+constexpr double per_yaw = 0.26;     // what turning costs [1/rad]
+constexpr double per_rise = 0.22;    // what standing higher costs [1/rad]
+constexpr double per_fall = 0.40;    // and lower
+constexpr double loyalty = 0.15;     // what the direction that was chosen before is worth more
+constexpr double by_hand = 4;        // how much more it costs to turn against the player's hand
 
 // What is tried: to both sides, and at these heights beside the present one.
 constexpr double across[] = {0, 0.35, 0.75, 1.2, 1.7, 2.3, 3.1};

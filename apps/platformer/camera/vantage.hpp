@@ -15,16 +15,16 @@ struct Vantage {
 
 /// What a camera stands in, and for whom it looks for a place.
 struct Surroundings {
-    const World& world;           ///< what the eye cannot be in, nor see through
-    const World* decor;           ///< what it is better not behind; may be null
-    double slight = 0;            ///< what it sees through, as `sight_share` has it [m]
-    WorldQuery query{};           ///< which bodies there are for it
-    dvec3 head{0, 0, 0};          ///< where in the hero's volume there is room for the ball of the eye [m]
-    dvec3 soon{0, 0, 0};          ///< and where that will be in a moment [m]
-    dvec3 middle{0, 0, 0};        ///< of the hero's volume [m]
-    double half_height = 0.8;     ///< [m]
-    dvec3 look_at{0, 0, 0};       ///< what it stands around [m]
-    double distance = 5.6;        ///< from there, where there is room [m]
+    const World& world;        ///< what the eye cannot be in, nor see through
+    const World* decor;        ///< what it is better not behind; may be null
+    double slight = 0;         ///< what it sees through, as `sight_share` has it [m]
+    WorldQuery query{};        ///< which bodies there are for it
+    dvec3 head{0, 0, 0};       ///< where in the hero's volume there is room for the ball of the eye [m]
+    dvec3 soon{0, 0, 0};       ///< and where that will be in a moment [m]
+    dvec3 middle{0, 0, 0};     ///< of the hero's volume [m]
+    double half_height = 0.8;  ///< [m]
+    dvec3 look_at{0, 0, 0};    ///< what it stands around [m]
+    double distance = 5.6;     ///< from there, where there is room [m]
 };
 
 /// From the hero to the eye, unit.

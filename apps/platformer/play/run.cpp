@@ -5,6 +5,7 @@
 
 #include "platformer/hero/figure.hpp"
 #include "platformer/hero/props.hpp"
+#include "platformer/play/followed.hpp"
 
 namespace surefoot::platformer {
 namespace {
@@ -22,11 +23,6 @@ HeroFlags flags_of(const game::Game& game, bool reduced_motion) {
     flags.won = game.outcome() == game::Outcome::won;
     flags.reduced_motion = reduced_motion;
     return flags;
-}
-
-// Only the still level hides the hero and holds the eye; what moves is swept at where it is when the tick ends.
-CameraTarget target(const game::Game& game, double facing) {
-    return target_of(game.hero().body, game.settings(), facing, game.hero().in_water);
 }
 
 }  // namespace
@@ -72,7 +68,7 @@ void Run::stand() {
     const double facing = facing_of(game_->hero().facing);
     pose_ = hero_at(game_->hero().body, game_->settings(), facing);
     pose_before_ = pose_;
-    camera_ = camera_behind(scene(), target(*game_, facing), {}, facing);
+    camera_ = camera_behind(scene(), followed(*game_, facing), {}, facing);
     camera_before_ = camera_;
 }
 
@@ -89,14 +85,6 @@ game::HeroInput Run::input_of(const Asked& asked) const {
     if (asked.dash) press(input, game::Button::dash);
     if (asked.crouch) press(input, game::Button::crouch);
     return input;
-}
-
-std::optional<CameraHint> Run::hint() const {
-    for (const game::CameraHint& hint : plan_.level->cameras)
-        if (hint.zone.holds(game_->hero().body.position))
-            // From where it looks to which way it looks: the other side.
-            return CameraHint{(hint.yaw_deg + 180) * degree, hint.pitch_deg * degree, hint.distance};
-    return std::nullopt;
 }
 
 void Run::tick(const Asked& asked, const CameraSettings& settings) {
@@ -125,8 +113,8 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
     pose_ = advance(pose_, before, game_->hero().body, game_->hero().events, game_->settings(),
                     flags_of(*game_, settings.reduced_motion), game::tick_seconds);
     CameraInput turn{.turn_left = -asked.turn.x, .turn_up = -asked.turn.y};
-    camera_ =
-        advance(camera_, scene(), target(*game_, pose_.facing), settings, turn, hint(), game::tick_seconds);
+    camera_ = advance(camera_, scene(), followed(*game_, pose_.facing), settings, turn,
+                      hint_at(*plan_.level, game_->hero().body.position), game::tick_seconds);
     actors_->tick(*game_, pose_, before, settings.reduced_motion);
     if (ghost_) {
         const CharacterState ghost_before = ghost_->game->hero().body;
@@ -139,7 +127,7 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
 
 /// The hero is seen whatever is before them, and leaves that are close to the eye are not in the way.
 view::ScreenDoor Run::door(double blend) const {
-    const double height = target(*game_, 0).half_height;
+    const double height = followed(*game_, 0).half_height;
     const dvec3 before = camera_before_.target;
     const bool was_put = glm::length(camera_.target - before) > teleport_distance;
     return {.middle = was_put ? camera_.target : before + (camera_.target - before) * blend,

@@ -93,7 +93,6 @@ public:
 private:
     explicit Run(Plan plan);
     [[nodiscard]] game::HeroInput input_of(const Asked& asked) const;
-    [[nodiscard]] std::optional<CameraHint> hint() const;
     [[nodiscard]] CameraScene scene() const { return {game_->world(), &decor_, game_->settings().surfaces}; }
     [[nodiscard]] view::ScreenDoor door(double blend) const;
     void stand();

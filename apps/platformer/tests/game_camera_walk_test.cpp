@@ -27,7 +27,7 @@ struct Found {
     }
 };
 
-constexpr double farthest_move = 0.45;  // in a tick [m]
+constexpr double farthest_move = 0.6;  // in a tick [m]
 
 /// In a wild walk it jumps, dashes and crouches, too.
 Found walk(const World& world, std::uint64_t seed, int seconds, bool wild) {
