@@ -62,6 +62,29 @@ bool Frustum::may_see(const gl::vec3& low, const gl::vec3& high) const {
     });
 }
 
+bool SightLine::touches(const gl::vec3& low, const gl::vec3& high) const {
+    const gl::vec3 gap = eye - glm::clamp(eye, low, high);
+    if (glm::dot(gap, gap) < nearest * nearest) return true;
+    if (!(radius > 0)) return false;
+    // The line against the box and some room around it, slab by slab.
+    const gl::vec3 way = goal - eye;
+    float enter = 0;
+    float leave = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float least = low[axis] - radius - eye[axis];
+        const float most = high[axis] + radius - eye[axis];
+        if (std::abs(way[axis]) < 1e-6F) {
+            if (least > 0 || most < 0) return false;
+            continue;
+        }
+        const float a = least / way[axis];
+        const float b = most / way[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+}
+
 std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleColour& colour, Shading shading) {
     static std::atomic<std::uint64_t> made{0};
     std::shared_ptr<Model> model(new Model);
@@ -169,9 +192,20 @@ void Model::recolour(const TriangleColour& colour) {
 }
 
 std::size_t Model::draw(const Frustum& seen, const gl::vec3& eye, bool with_edges) const {
+    return draw_chunks(seen, eye, with_edges, [](const Chunk&) { return true; });
+}
+
+std::size_t Model::draw_parted(const Frustum& seen, const SightLine& line, bool touching) const {
+    return draw_chunks(seen, line.eye, false,
+                       [&](const Chunk& chunk) { return line.touches(chunk.low, chunk.high) == touching; });
+}
+
+template <typename Wanted>
+std::size_t Model::draw_chunks(const Frustum& seen, const gl::vec3& eye, bool with_edges,
+                               const Wanted& is_wanted) const {
     std::vector<std::pair<float, const Chunk*>> order;  // by how far away they are
     for (const Chunk& chunk : chunks_) {
-        if (!seen.may_see(chunk.low, chunk.high)) continue;
+        if (!seen.may_see(chunk.low, chunk.high) || !is_wanted(chunk)) continue;
         const gl::vec3 gap = eye - glm::clamp(eye, chunk.low, chunk.high);
         order.emplace_back(glm::dot(gap, gap), &chunk);
     }

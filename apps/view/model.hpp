@@ -34,6 +34,16 @@ private:
     std::array<gl::vec4, 6> planes_;
 };
 
+/// Along a line of sight and around its beginning: where models may be drawn otherwise. In a model's own places.
+struct SightLine {
+    gl::vec3 eye{0, 0, 0};
+    gl::vec3 goal{0, 0, 0};
+    float radius = 0;   ///< around the line
+    float nearest = 0;  ///< around the eye
+
+    [[nodiscard]] bool touches(const gl::vec3& low, const gl::vec3& high) const;
+};
+
 class Model {
 public:
     /// Reads the mesh once; hidden triangles are left out. Where no colour is given, surfaces have theirs by number.
@@ -60,6 +70,9 @@ public:
     /// which know their place in it; otherwise corners are shared.
     std::size_t draw(const Frustum& seen, const gl::vec3& eye, bool with_edges) const;
 
+    /// The same, but only those chunks that touch a line of sight, or only those that do not.
+    std::size_t draw_parted(const Frustum& seen, const SightLine& line, bool touching) const;
+
 private:
     struct Chunk {
         int first = 0;  // triangle
@@ -69,6 +82,8 @@ private:
     };
 
     Model() = default;
+    template <typename Wanted>
+    std::size_t draw_chunks(const Frustum& seen, const gl::vec3& eye, bool with_edges, const Wanted& is_wanted) const;
     void cut_into_chunks();
     void upload();
     void upload_shared(const std::vector<Colour>& colours);

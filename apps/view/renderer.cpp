@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "view/door_shader.hpp"
 #include "view/renderer_parts.hpp"
 #include "view/shaders.hpp"
 
@@ -79,6 +80,9 @@ Renderer::Parts::Parts()
         for (int look = 0; look < 3; ++look)
             mesh[shadows][look] = gl::Program("mesh", with_mesh_light(shaders::mesh_vertex),
                                               with_mesh_light(shaders::mesh_fragment), define + looks[look]);
+        door[shadows] = gl::Program("mesh with holes", with_mesh_light(shaders::mesh_vertex),
+                                    with_mesh_light(std::string(shaders::door) + std::string(shaders::mesh_fragment)),
+                                    define + looks[1] + "#define DOOR\n");
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());
@@ -97,6 +101,7 @@ void Renderer::begin(const FrameView& view) {
     view_ = view;
     labels_.clear();
     counts_ = {};
+    door_ = {};
     parts_->models.clear();
     parts_->placed.clear();
     parts_->triangles.clear();

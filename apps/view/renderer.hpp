@@ -43,7 +43,17 @@ struct EdgeLook {
 
 struct ModelLook {
     EdgeLook edges{};
-    bool moves = false;  ///< its shadow is drawn anew with every frame
+    bool moves = false;   ///< its shadow is drawn anew with every frame
+    bool yields = false;  ///< has holes close up to what is seen through a `ScreenDoor`, as leaves around it should
+};
+
+/// What is to be seen whatever stands before it: models in between are drawn with holes, as a screen door, in a soft
+/// ellipse around it. Models with lines on their edges, or with round shading, stay whole.
+struct ScreenDoor {
+    dvec3 middle{0, 0, 0};   ///< of what is to be seen
+    dvec2 half{0.75, 1.05};  ///< of its size, across and along up, with some air [m, > 0]
+    double strength = 0;     ///< 0 draws everything whole; 1 leaves nothing of it [0 to 1]
+    double nearest = 0;      ///< what is nearer to the eye than this goes away, too [m]
 };
 
 struct ShapeLook {
@@ -85,6 +95,9 @@ public:
 
     /// A model, placed; it has to live until `end`.
     void model(const std::shared_ptr<const Model>& model, const ModelLook& look = {}, const Pose& pose = {});
+
+    /// For all models of this frame.
+    void see_through(const ScreenDoor& door) { door_ = door; }
 
     void shape(const Volume& volume, const dvec3& position, const ShapeLook& look = {});
 
@@ -132,6 +145,7 @@ private:
     void draw_scene();
     void draw_sky();
     void draw_models();
+    void set_door(const gl::Program& program) const;
     void draw_shapes(bool solid);
     void draw_pieces(bool see_through);
     void draw_triangles();
@@ -139,6 +153,7 @@ private:
 
     std::unique_ptr<Parts> parts_;
     FrameView view_;
+    ScreenDoor door_;
     std::vector<Label> labels_;
     FrameCounts counts_;
 };

@@ -168,25 +168,57 @@ void Renderer::draw_scene() {
     glDepthMask(GL_TRUE);
 }
 
+void Renderer::set_door(const gl::Program& program) const {
+    const dvec3 way = door_.middle - view_.camera.eye;
+    const double square = std::max(glm::dot(way, way), 1e-6);
+    const dvec3 across = glm::cross(way, view_.camera.above());
+    const dvec3 right = glm::length(across) > 1e-9 ? glm::normalize(across) : view_.camera.right();
+    const dvec3 above = glm::cross(right, way / std::sqrt(square));
+    program.set("door_middle", vec3(way));
+    program.set("door_ahead", vec3(way / square));
+    program.set("door_right", vec3(right / door_.half.x));
+    program.set("door_above", vec3(above / door_.half.y));
+    program.set("door_strength", static_cast<float>(door_.strength));
+    program.set("door_near", static_cast<float>(door_.nearest));
+}
+
 void Renderer::draw_models() {
     Parts& p = *parts_;
+    const bool has_door = door_.strength > 0 || door_.nearest > 0;
     for (const PlacedModel& m : p.models) {
         const EdgeLook& edges = m.look.edges;
         const bool with_edges = edges.width > 0;
-        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][with_edges ? 2 : m.model->is_flat() ? 1 : 0];
-        program.use();
-        p.light.set(program);
         const gl::mat4 from_model = m.from_model(view_.camera.eye);
-        program.set("clip_from_eye", p.clip_from_eye);
-        program.set("eye_from_model", from_model);
+        const Frustum seen(p.clip_from_eye * from_model);
+        const auto use = [&](const gl::Program& program) {
+            program.use();
+            p.light.set(program);
+            program.set("clip_from_eye", p.clip_from_eye);
+            program.set("eye_from_model", from_model);
+        };
+        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][with_edges ? 2 : m.model->is_flat() ? 1 : 0];
+        use(program);
+        if (has_door && !with_edges && m.model->is_flat()) {
+            const double widest = 1.5 * std::max(door_.half.x, door_.half.y);
+            const SightLine line{.eye = m.in_model(view_.camera.eye),
+                                 .goal = m.in_model(door_.middle),
+                                 .radius = door_.strength > 0 ? static_cast<float>(widest) : 0,
+                                 .nearest = static_cast<float>(door_.nearest)};
+            counts_.triangles += m.model->draw_parted(seen, line, false);
+            const gl::Program& door = p.door[effects.shadows ? 1 : 0];
+            use(door);
+            set_door(door);
+            door.set("door_gap", m.look.yields ? -0.5F : 0.3F);
+            counts_.triangles += m.model->draw_parted(seen, line, true);
+            continue;
+        }
         if (with_edges) {
             program.set("edge_width", static_cast<float>(edges.width * view_.line_pixels()));
             constexpr const char* names[] = {"edge_colours[0]", "edge_colours[1]", "edge_colours[2]",
                                              "edge_colours[3]"};
             for (int i = 0; i < 4; ++i) program.set(names[i], to_vec4(edges.kinds[i]));
         }
-        counts_.triangles +=
-            m.model->draw(Frustum(p.clip_from_eye * from_model), m.in_model(view_.camera.eye), with_edges);
+        counts_.triangles += m.model->draw(seen, m.in_model(view_.camera.eye), with_edges);
     }
 }
 

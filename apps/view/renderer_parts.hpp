@@ -59,6 +59,7 @@ struct Renderer::Parts {
     Parts();
 
     gl::Program mesh[2][3];  // [shadows][round, flat, with edges]
+    gl::Program door[2];     // [shadows]: flat, with holes
     gl::Program shape;
     gl::Program depth;
     gl::Program flat;

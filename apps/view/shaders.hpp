@@ -114,7 +114,8 @@ void main() {
 }
 )";
 
-/// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface.
+/// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface. With DOOR,
+/// `door` (door_shader.hpp) goes before it.
 inline constexpr std::string_view mesh_fragment = R"(
 in vec3 v_place;
 #ifdef LIT_WHOLE
@@ -139,6 +140,9 @@ vec4 kind(uint edge) {
 }
 #endif
 void main() {
+#ifdef DOOR
+    if (is_hole(v_place)) discard;
+#endif
 #ifdef LIT_WHOLE
     vec3 colour = v_lit;
 #else

@@ -83,7 +83,7 @@ void LevelLook::draw(view::Renderer& renderer, const game::Game& game, double bl
     const view::ModelLook still{};
     const view::ModelLook moving{.moves = true};
     if (ground_) renderer.model(ground_, still);
-    if (decor_) renderer.model(decor_, still);
+    if (decor_) renderer.model(decor_, {.yields = true});
     for (const game::MovingBody& body : game.bodies()) {
         const game::BodyPlan& plan = level_.bodies[body.plan];
         const bool is_seen = body.is_there || body.phase == game::MovingBody::Phase::opens;

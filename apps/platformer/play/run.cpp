@@ -5,10 +5,12 @@
 
 #include "platformer/hero/figure.hpp"
 #include "platformer/hero/props.hpp"
+#include "platformer/play/followed.hpp"
 
 namespace surefoot::platformer {
 namespace {
 
+constexpr double most_open = 0.85;  // of a screen door before the hero, so that it is seen that something is there
 constexpr double degree = 3.14159265358979323846 / 180;
 
 HeroFlags flags_of(const game::Game& game, bool reduced_motion) {
@@ -21,11 +23,6 @@ HeroFlags flags_of(const game::Game& game, bool reduced_motion) {
     flags.won = game.outcome() == game::Outcome::won;
     flags.reduced_motion = reduced_motion;
     return flags;
-}
-
-// Only the still level hides the hero and holds the eye; what moves is swept at where it is when the tick ends.
-CameraTarget target(const game::Game& game, double facing) {
-    return target_of(game.hero().body, game.settings(), facing, game.hero().in_water);
 }
 
 // Every tick is played, and none is drawn: so what follows is what followed then.
@@ -48,6 +45,8 @@ Expected<Run::Prepared> Run::prepare(Plan plan, const std::atomic<bool>* stop) {
     auto game = game::Game::start(plan.level, {.checkpoint = begins_at, .stop = stop});
     if (!game) return tl::unexpected(game.error());
     Prepared made{.plan = std::move(plan), .game = std::move(*game)};
+    if (const Mesh& decor = made.plan.level->decor; decor.triangle_count() > 0)
+        if (auto added = made.decor.add(decor); !added) return tl::unexpected(added.error());
     if (made.plan.ghost) {
         auto ghost = game::Game::start(made.plan.level, {.checkpoint = made.plan.ghost->checkpoint, .stop = stop});
         if (!ghost) return tl::unexpected(ghost.error());
@@ -61,6 +60,7 @@ Expected<Run::Prepared> Run::prepare(Plan plan, const std::atomic<bool>* stop) {
 std::unique_ptr<Run> Run::start(Prepared prepared) {
     std::unique_ptr<Run> run(new Run(std::move(prepared.plan)));
     run->game_ = std::move(prepared.game);
+    run->decor_ = std::move(prepared.decor);
     if (prepared.ghost) {
         run->ghost_.emplace(
             Ghost{.game = std::move(prepared.ghost), .player = std::make_unique<game::Player>(*run->plan_.ghost)});
@@ -80,7 +80,7 @@ void Run::stand() {
     const double facing = facing_of(game_->hero().facing);
     pose_ = hero_at(game_->hero().body, game_->settings(), facing);
     pose_before_ = pose_;
-    camera_ = camera_behind(game_->world(), target(*game_, facing), {}, facing);
+    camera_ = camera_behind(scene(), followed(*game_, facing), {}, facing);
     camera_before_ = camera_;
 }
 
@@ -97,14 +97,6 @@ game::HeroInput Run::input_of(const Asked& asked) const {
     if (asked.dash) press(input, game::Button::dash);
     if (asked.crouch) press(input, game::Button::crouch);
     return input;
-}
-
-std::optional<CameraHint> Run::hint() const {
-    for (const game::CameraHint& hint : plan_.level->cameras)
-        if (hint.zone.holds(game_->hero().body.position))
-            // From where it looks to which way it looks: the other side.
-            return CameraHint{(hint.yaw_deg + 180) * degree, hint.pitch_deg * degree, hint.distance};
-    return std::nullopt;
 }
 
 void Run::tick(const Asked& asked, const CameraSettings& settings) {
@@ -133,8 +125,8 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
     pose_ = advance(pose_, before, game_->hero().body, game_->hero().events, game_->settings(),
                     flags_of(*game_, settings.reduced_motion), game::tick_seconds);
     CameraInput turn{.turn_left = -asked.turn.x, .turn_up = -asked.turn.y};
-    camera_ =
-        advance(camera_, game_->world(), target(*game_, pose_.facing), settings, turn, hint(), game::tick_seconds);
+    camera_ = advance(camera_, scene(), followed(*game_, pose_.facing), settings, turn,
+                      hint_at(*plan_.level, game_->hero().body.position), game::tick_seconds);
     actors_->tick(*game_, pose_, before, settings.reduced_motion);
     if (ghost_) {
         const CharacterState ghost_before = ghost_->game->hero().body;
@@ -145,11 +137,23 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
     }
 }
 
+/// The hero is seen whatever is before them, and leaves that are close to the eye are not in the way.
+view::ScreenDoor Run::door(double blend) const {
+    const double height = followed(*game_, 0).half_height;
+    const dvec3 before = camera_before_.target;
+    const bool was_put = glm::length(camera_.target - before) > teleport_distance;
+    return {.middle = was_put ? camera_.target : before + (camera_.target - before) * blend,
+            .half = {0.75, height + 0.3},
+            .strength = most_open * (camera_before_.door + (camera_.door - camera_before_.door) * blend),
+            .nearest = camera_.in_leaves ? leaves_reach : 0};
+}
+
 void Run::draw(view::Renderer& renderer, double blend, bool shows_volume) const {
     renderer.sky = sky_of(plan_.level->sky);
     look_.draw(renderer, *game_, blend);
     actors_->draw(renderer, *game_, blend);
     const HeroPose now = between(pose_before_, pose_, blend);
+    renderer.see_through(door(blend));
     draw_ground_shade(renderer, game_->world(), now.soles, 0.42);
     platformer::draw(renderer, pose_before_, pose_, blend, {.opacity = camera_.opacity});
     if (ghost_) platformer::draw(renderer, ghost_->before, ghost_->pose, blend, {.is_ghost = true});

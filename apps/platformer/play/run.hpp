@@ -45,6 +45,7 @@ public:
         std::unique_ptr<game::Game> ghost{};
         std::optional<game::Player> player{};  ///< of what is watched
         double section_began = 0;              ///< of the section in which that begins [s]
+        World decor{};
     };
 
     /// What takes long, on any thread. Fails as `Game::start` does.
@@ -98,12 +99,14 @@ public:
 private:
     explicit Run(Plan plan);
     [[nodiscard]] game::HeroInput input_of(const Asked& asked) const;
-    [[nodiscard]] std::optional<CameraHint> hint() const;
+    [[nodiscard]] CameraScene scene() const { return {game_->world(), &decor_, game_->settings().surfaces}; }
+    [[nodiscard]] view::ScreenDoor door(double blend) const;
     void stand();
 
     Plan plan_;
     std::unique_ptr<game::Game> game_;
     LevelLook look_;
+    World decor_;  // of what is drawn and not solid, for the camera
     std::optional<Actors> actors_;
     game::Recorder recorder_;
     std::optional<game::Player> player_;
