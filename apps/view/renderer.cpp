@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "view/mesh_shaders.hpp"
+#include "view/pattern.hpp"
 #include "view/renderer_parts.hpp"
 #include "view/shaders.hpp"
 
@@ -71,12 +73,13 @@ Renderer::Parts::Parts()
       smooth("smooth", shaders::screen_vertex, shaders::smooth_fragment),
       nothing(gl::VertexArray::make()),
       flat_array(gl::VertexArray::make()),
-      flat_buffer(gl::Buffer::make()) {
+      flat_buffer(gl::Buffer::make()),
+      patterns(pattern_texture()) {
     for (const int shadows : {0, 1}) {
         const std::string define = shadows != 0 ? "#define SHADOWS\n" : "";
-        const char* const looks[] = {"", shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n",
-                                     "#define EDGES\n"};
-        for (int look = 0; look < 3; ++look)
+        const std::string whole = shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n";
+        const std::string looks[] = {"", whole, "#define EDGES\n", whole + "#define PATTERNS\n"};
+        for (int look = 0; look < 4; ++look)
             mesh[shadows][look] = gl::Program("mesh", with_mesh_light(shaders::mesh_vertex),
                                               with_mesh_light(shaders::mesh_fragment), define + looks[look]);
     }
@@ -102,6 +105,7 @@ void Renderer::begin(const FrameView& view) {
     parts_->triangles.clear();
     parts_->lines.clear();
     parts_->pieces.clear();
+    parts_->discs.clear();
     parts_->shapes.next_frame();
 }
 
@@ -141,6 +145,10 @@ void Renderer::outline(const PlacedShape& shape) {
 
 void Renderer::piece(const Piece& piece) {
     parts_->pieces.add(piece);
+}
+
+void Renderer::disc(const Disc& disc) {
+    parts_->discs.add(disc);
 }
 
 void Renderer::line(const dvec3& from, const dvec3& to, const Stroke& stroke) {

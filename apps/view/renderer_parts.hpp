@@ -58,7 +58,7 @@ struct StillShadow {
 struct Renderer::Parts {
     Parts();
 
-    gl::Program mesh[2][3];  // [shadows][round, flat, with edges]
+    gl::Program mesh[2][4];  // [shadows][round, flat, with edges, with patterns]
     gl::Program shape;
     gl::Program depth;
     gl::Program flat;
@@ -70,6 +70,8 @@ struct Renderer::Parts {
     LinePass lines;
     ShapeStore shapes;
     PiecePass pieces;
+    DiscPass discs;
+    gl::Texture patterns;
     Canvas canvas;
     std::optional<ShadowMap> still;
     std::optional<ShadowMap> moving;
