@@ -106,8 +106,6 @@ gl::Texture pattern_texture() {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pattern_texels, pattern_texels, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  picture.data());
     glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
     return made;

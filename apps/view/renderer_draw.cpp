@@ -179,6 +179,9 @@ void Renderer::draw_models() {
     Parts& p = *parts_;
     glActiveTexture(GL_TEXTURE2);
     glBindTexture(GL_TEXTURE_2D, p.patterns.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    effects.soft_patterns ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, effects.soft_patterns ? GL_LINEAR : GL_NEAREST);
     glActiveTexture(GL_TEXTURE0);
     for (const PlacedModel& m : p.models) {
         const EdgeLook& edges = m.look.edges;

@@ -13,7 +13,7 @@ namespace {
 constexpr double shines_from = 0.5;  // of a material's glow
 constexpr double one_thing = 0.4;    // triangles so near to each other are one thing [m]
 constexpr double pool_reach = 4.5;   // of a lamp above its pool of light [m]
-constexpr double seen_from = 90;     // [m]
+constexpr double seen_from = 60;     // [m]
 
 struct Shining {
     std::uint32_t surface;
@@ -47,7 +47,7 @@ std::optional<view::Disc> pool_below(const World& world, const dvec3& place, vie
     const auto hit = below(place);
     if (!hit || hit->status != HitStatus::ok || hit->normal.y < 0.98) return std::nullopt;
     const dvec3 foot = hit->point;
-    double radius = 3.2;
+    double radius = 2.8;
     for (int i = 0; i < 12; ++i) {
         const double turn = 2 * std::numbers::pi * i / 12;
         for (double r = 0.4; r < radius; r += 0.4) {
@@ -82,7 +82,7 @@ std::vector<view::Disc> halos_of(const game::Level& level) {
         // What is flat is a window, and lights a room.
         if (std::min(size.x, size.z) < 0.3) continue;
         halos.push_back({.place = middle,
-                         .radius = std::min(0.6 + 0.8 * glm::length(size), 4.0),
+                         .radius = std::min(0.5 + 0.7 * glm::length(size), 3.0),
                          .colour = view::with_opacity(colour, 0.55 * material.glow),
                          .is_light = true});
         if (std::max(size.x, size.z) < 0.9)

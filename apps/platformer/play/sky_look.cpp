@@ -116,7 +116,7 @@ SkyLook::SkyLook(const std::string& name, const Bounds& box, double lowest) : sk
     if (!is_open_) return;
     make_clouds(box, lowest);
     if (darkness_ < 0.4) return;
-    const double how_many = darkness_ >= 1 ? 260 : 90;
+    const std::uint32_t how_many = darkness_ >= 1 ? 180 : 60;
     for (std::uint32_t i = 0; i < how_many; ++i) {
         const double up = 0.06 + 0.94 * chance(i, 20);
         const double turn = 2 * pi * chance(i, 21);
@@ -152,7 +152,7 @@ void SkyLook::make_clouds(const Bounds& box, double lowest) {
     const auto mesh = Mesh::build({.vertices = puffs.vertices, .indices = puffs.indices});
     if (!mesh) return;  // of numbers that are all small there is always one
     // Of the colour of the air that they are in, so that they are as bright as the hour.
-    const view::Colour colour = shown(sky_.horizon * 1.15F + sky_.sun * 0.03F);
+    const view::Colour colour = shown(sky_.horizon * 0.9F + sky_.sun * static_cast<float>(0.34 * (1 - darkness_)));
     clouds_ = view::Model::make(*mesh, [&](const SourceTriangle&) { return view::Finish{colour, 0.35}; });
 }
 
@@ -171,10 +171,9 @@ void SkyLook::draw(view::Renderer& renderer, double seconds) const {
     const view::Colour colour = is_moon           ? view::rgb(0xF1F4FF)
                                 : darkness_ > 0.4 ? view::rgb(0xFFD9A0)
                                                   : view::rgb(0xFFF6DC);
-    renderer.disc({.place = sun,
-                   .radius = far_away * (is_moon ? 0.30 : 0.42),
-                   .colour = view::with_opacity(colour, 0.30),
-                   .is_light = true});
+    // A small halo: the sky itself is bright around the sun.
+    renderer.disc(
+        {.place = sun, .radius = far_away * 0.13, .colour = view::with_opacity(colour, 0.35), .is_light = true});
     renderer.disc({.place = sun, .radius = far_away * 0.055, .colour = colour, .core = 0.9});
     if (!is_moon) return;
     const auto [side, other] = view::across(glm::normalize(sky_.towards_sun));
