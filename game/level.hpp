@@ -17,12 +17,16 @@
 
 namespace surefoot::game {
 
+/// What is drawn on a material: on top of its colour, and only for the eye.
+enum class Drawing : std::uint8_t { none, patches, bricks, boards, strata };
+
 /// What a triangle is made of, beside the rule that `step` knows.
 struct Material {
     std::string name{};
     std::optional<std::array<double, 3>> colour;  ///< as displayed [0 to 1 each]; none: the drawer chooses
     bool deadly = false;                          ///< touching it costs all health
-    bool glows = false;
+    double glow = 0;                              ///< how much of its colour it shines by itself [0 to 1]
+    Drawing drawing = Drawing::none;
 };
 
 enum class PathLoop : std::uint8_t {

@@ -51,7 +51,8 @@ private:
                                    std::clamp(colour.z, 0.0, 1.0)};
             }
             material.deadly = extras.flag("deadly");
-            material.glows = extras.flag("glow");
+            material.glow = extras.number("glow", 0, 0, 1);
+            material.drawing = extras.one_of<Drawing>("drawing", {"none", "patches", "bricks", "boards", "strata"});
             rule.grip = extras.number("grip", 1, 0, 10);
             rule.conveyor = extras.vector("conveyor", {0, 0, 0});
             rule.one_way = extras.flag("one_way");

@@ -106,15 +106,18 @@ private:
         return others[surface % others.size()];
     }
 
+    [[nodiscard]] double material_glow(std::uint32_t surface) const {
+        return surface < level_.materials.size() ? level_.materials[surface].glow : 0;
+    }
+
     [[nodiscard]] Seen look(const dvec3& way) const {
         Seen seen;
         if (const auto hit = game_.world().ray({camera_.eye, camera_.eye + way * farthest}, now);
             hit && hit->status == HitStatus::ok) {
-            const bool glows = hit->surface < level_.materials.size() && level_.materials[hit->surface].glows;
             seen = {.distance = hit->t * farthest,
                     .normal = hit->normal,
                     .colour = material_colour(hit->surface),
-                    .glow = glows ? 0.6 : 0,
+                    .glow = material_glow(hit->surface),
                     .what = (std::uint64_t(hit->body) + 1) * 1024 + hit->surface};
         }
         if (const auto hit = figures_.ray({camera_.eye, camera_.eye + way * seen.distance}, now);
@@ -134,6 +137,7 @@ private:
             seen = {.distance = decor_from_ + hit->t * room,
                     .normal = hit->normal,
                     .colour = material_colour(hit->surface),
+                    .glow = material_glow(hit->surface),
                     .what = decor_bit + hit->surface};
         return seen;
     }

@@ -12,13 +12,19 @@ struct Effects {
     bool shadows = true;
     bool smooth_edges = true;  ///< FXAA
     bool fog = true;
-    bool fine_edges = true;  ///< thin lines on the edges of models, where they are no more than decoration
-    int shadow_size = 2048;  ///< of the map, in texels
+    bool fine_edges = true;     ///< thin lines on the edges of models, where they are no more than decoration
+    bool soft_patterns = true;  ///< what is drawn on surfaces is smooth from near by, and not of small squares
+    int shadow_size = 2048;     ///< of the map, in texels
 
     /// What stays is light, fog and the lines that mean something, which are smooth by themselves.
     [[nodiscard]] static Effects full() { return {}; }
     [[nodiscard]] static Effects software() {
-        return {.shadows = false, .smooth_edges = false, .fog = true, .fine_edges = false, .shadow_size = 1024};
+        return {.shadows = false,
+                .smooth_edges = false,
+                .fog = true,
+                .fine_edges = false,
+                .soft_patterns = false,
+                .shadow_size = 1024};
     }
 
     [[nodiscard]] bool operator==(const Effects&) const = default;

@@ -85,7 +85,7 @@ bool SightLine::touches(const gl::vec3& low, const gl::vec3& high) const {
     return enter <= leave;
 }
 
-std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleColour& colour, Shading shading) {
+std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleFinish& finish, Shading shading) {
     static std::atomic<std::uint64_t> made{0};
     std::shared_ptr<Model> model(new Model);
     model->serial_ = ++made;
@@ -109,7 +109,7 @@ std::shared_ptr<Model> Model::make(const Mesh& mesh, const TriangleColour& colou
     for (const gl::vec3& n : corner_normals(all, shading == Shading::smooth ? 35.0 : 0.0))
         model->normals_.push_back({small(n.x), small(n.y), small(n.z), 0});
     model->upload();
-    model->recolour(colour);
+    model->recolour(finish);
     return model;
 }
 
@@ -153,7 +153,7 @@ void Model::upload() {
     glBindVertexArray(0);
 }
 
-void Model::upload_shared(const std::vector<Colour>& colours) {
+void Model::upload_shared(const std::vector<Finish>& finishes, const std::vector<Colour>& colours) {
     using Vertex = SharedCorners::Vertex;
     SharedCorners shared(is_flat());
     for (const Chunk& chunk : chunks_) {
@@ -161,10 +161,12 @@ void Model::upload_shared(const std::vector<Colour>& colours) {
         for (int k = 0; k < chunk.count; ++k) {
             const auto i = static_cast<std::size_t>(chunk.first + k);
             const Triangle& t = triangles_[i].triangle;
-            shared.add({{{{gl::vec3(t.a - origin_), normals_[3 * i]},
-                          {gl::vec3(t.b - origin_), normals_[3 * i + 1]},
-                          {gl::vec3(t.c - origin_), normals_[3 * i + 2]}}},
-                        colours[i]});
+            const auto corner = [&](const dvec3& place, std::size_t k_th) {
+                SmallNormal normal = normals_[3 * i + k_th];
+                normal.pattern = is_flat() ? static_cast<std::int8_t>(finishes[i].pattern) : std::int8_t{0};
+                return SharedCorners::Corner{gl::vec3(place - origin_), normal};
+            };
+            shared.add({{{corner(t.a, 0), corner(t.b, 1), corner(t.c, 2)}}, colours[i]});
         }
     }
     shared_array_ = gl::VertexArray::make();
@@ -176,15 +178,24 @@ void Model::upload_shared(const std::vector<Colour>& colours) {
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
     glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
     glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, colour)));
-    for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+    glVertexAttribIPointer(4, 1, GL_BYTE, sizeof(Vertex),
+                           offset(offsetof(Vertex, normal) + offsetof(SmallNormal, pattern)));
+    for (const GLuint attribute : {0U, 1U, 2U, 4U}) glEnableVertexAttribArray(attribute);
     glBindVertexArray(0);
 }
 
-void Model::recolour(const TriangleColour& colour) {
-    std::vector<Colour> colours;
+void Model::recolour(const TriangleFinish& finish) {
+    std::vector<Finish> finishes;
+    std::vector<Colour> colours;  // with the glow where an opacity would be
+    finishes.reserve(triangles_.size());
     colours.reserve(triangles_.size());
-    for (const SourceTriangle& t : triangles_) colours.push_back(colour ? colour(t) : colour_of_surface(t.surface, {}));
-    upload_shared(colours);
+    has_patterns_ = false;
+    for (const SourceTriangle& t : triangles_) {
+        finishes.push_back(finish ? finish(t) : Finish(colour_of_surface(t.surface, {})));
+        colours.push_back(with_opacity(finishes.back().colour, finishes.back().glow));
+        has_patterns_ = has_patterns_ || finishes.back().pattern != Pattern::none;
+    }
+    upload_shared(finishes, colours);
     std::vector<Colour> thrice;
     thrice.reserve(3 * colours.size());
     for (const Colour& c : colours) thrice.insert(thrice.end(), 3, c);

@@ -12,6 +12,7 @@
 #include <surefoot/query.hpp>
 
 #include "view/colour.hpp"
+#include "view/finish.hpp"
 #include "view/gl.hpp"
 #include "view/shared_corners.hpp"
 
@@ -22,7 +23,7 @@ enum class Shading : std::uint8_t {
     smooth,  ///< rounded where triangles bend by less than 35 degrees
 };
 
-using TriangleColour = std::function<Colour(const SourceTriangle&)>;
+using TriangleFinish = std::function<Finish(const SourceTriangle&)>;
 
 /// Which part of space is drawn: the planes of a projection.
 class Frustum {
@@ -46,12 +47,12 @@ struct SightLine {
 
 class Model {
 public:
-    /// Reads the mesh once; hidden triangles are left out. Where no colour is given, surfaces have theirs by number.
-    [[nodiscard]] static std::shared_ptr<Model> make(const Mesh& mesh, const TriangleColour& colour = {},
+    /// Reads the mesh once; hidden triangles are left out. Where no finish is given, surfaces have colours by number.
+    [[nodiscard]] static std::shared_ptr<Model> make(const Mesh& mesh, const TriangleFinish& finish = {},
                                                      Shading shading = Shading::flat);
 
     /// Colours all triangles anew.
-    void recolour(const TriangleColour& colour);
+    void recolour(const TriangleFinish& finish);
 
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
@@ -64,6 +65,9 @@ public:
 
     /// Is every triangle lit as it is? Then programs take the normal of a triangle's last corner for all of it.
     [[nodiscard]] bool is_flat() const { return shading_ == Shading::flat; }
+
+    /// Has any triangle a pattern? Only flat ones show it, where no lines are drawn on edges.
+    [[nodiscard]] bool has_patterns() const { return has_patterns_; }
 
     /// Draws the chunks that `seen` may see with the program in use, those nearest to `eye` first, so that what they
     /// hide need not be shaded; returns how many triangles that were. `with_edges` hands out three corners a triangle,
@@ -86,13 +90,14 @@ private:
     std::size_t draw_chunks(const Frustum& seen, const gl::vec3& eye, bool with_edges, const Wanted& is_wanted) const;
     void cut_into_chunks();
     void upload();
-    void upload_shared(const std::vector<Colour>& colours);
+    void upload_shared(const std::vector<Finish>& finishes, const std::vector<Colour>& colours);
 
     std::vector<SourceTriangle> triangles_;  // in the order of drawing
     std::vector<Chunk> chunks_;
     Bounds bounds_;
     dvec3 origin_{0, 0, 0};
     Shading shading_ = Shading::flat;
+    bool has_patterns_ = false;
     std::vector<SmallNormal> normals_;  // of every corner of every triangle
     std::uint64_t serial_ = 0;
 

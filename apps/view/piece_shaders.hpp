@@ -61,7 +61,7 @@ flat in vec4 v_colour;
 flat in float v_glow;
 void main() {
     vec3 lit_colour = piece_lit(v_colour.rgb * v_colour.rgb, v_place, normalize(v_normal), v_glow);
-    result = vec4(sqrt(fogged(lit_colour, v_place)), v_colour.a);
+    result = vec4(sqrt(fogged(lit_colour, v_place, v_glow)), v_colour.a);
 }
 #else
 in vec4 v_lit;

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "view/door_shader.hpp"
+#include "view/mesh_shaders.hpp"
+#include "view/pattern.hpp"
 #include "view/renderer_parts.hpp"
 #include "view/shaders.hpp"
 
@@ -72,17 +74,20 @@ Renderer::Parts::Parts()
       smooth("smooth", shaders::screen_vertex, shaders::smooth_fragment),
       nothing(gl::VertexArray::make()),
       flat_array(gl::VertexArray::make()),
-      flat_buffer(gl::Buffer::make()) {
+      flat_buffer(gl::Buffer::make()),
+      patterns(pattern_texture()) {
     for (const int shadows : {0, 1}) {
         const std::string define = shadows != 0 ? "#define SHADOWS\n" : "";
-        const char* const looks[] = {"", shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n",
-                                     "#define EDGES\n"};
-        for (int look = 0; look < 3; ++look)
+        const std::string whole = shadows != 0 ? "#define FLAT\n" : "#define FLAT\n#define LIT_WHOLE\n";
+        const std::string looks[] = {"", whole, "#define EDGES\n", whole + "#define PATTERNS\n"};
+        for (int look = 0; look < 4; ++look)
             mesh[shadows][look] = gl::Program("mesh", with_mesh_light(shaders::mesh_vertex),
                                               with_mesh_light(shaders::mesh_fragment), define + looks[look]);
-        door[shadows] = gl::Program("mesh with holes", with_mesh_light(shaders::mesh_vertex),
-                                    with_mesh_light(std::string(shaders::door) + std::string(shaders::mesh_fragment)),
-                                    define + looks[1] + "#define DOOR\n");
+        for (const bool drawn : {false, true})
+            door[shadows][drawn ? 1 : 0] =
+                gl::Program("mesh with holes", with_mesh_light(shaders::mesh_vertex),
+                            with_mesh_light(std::string(shaders::door) + std::string(shaders::mesh_fragment)),
+                            define + looks[drawn ? 3 : 1] + "#define DOOR\n");
     }
     glBindVertexArray(flat_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());
@@ -107,6 +112,7 @@ void Renderer::begin(const FrameView& view) {
     parts_->triangles.clear();
     parts_->lines.clear();
     parts_->pieces.clear();
+    parts_->discs.clear();
     parts_->shapes.next_frame();
 }
 
@@ -146,6 +152,10 @@ void Renderer::outline(const PlacedShape& shape) {
 
 void Renderer::piece(const Piece& piece) {
     parts_->pieces.add(piece);
+}
+
+void Renderer::disc(const Disc& disc) {
+    parts_->discs.add(disc);
 }
 
 void Renderer::line(const dvec3& from, const dvec3& to, const Stroke& stroke) {

@@ -14,6 +14,7 @@
 
 #include "view/camera.hpp"
 #include "view/colour.hpp"
+#include "view/disc_pass.hpp"
 #include "view/lighting.hpp"
 #include "view/line_pass.hpp"
 #include "view/model.hpp"
@@ -43,7 +44,8 @@ struct EdgeLook {
 
 struct ModelLook {
     EdgeLook edges{};
-    bool moves = false;   ///< its shadow is drawn anew with every frame
+    bool moves = false;  ///< its shadow is drawn anew with every frame
+    bool casts_shadow = true;
     bool yields = false;  ///< has holes close up to what is seen through a `ScreenDoor`, as leaves around it should
 };
 
@@ -104,6 +106,9 @@ public:
     /// A small solid; hundreds of them cost little.
     void piece(const Piece& piece);
 
+    /// Soft, over whatever is solid.
+    void disc(const Disc& disc);
+
     void line(const dvec3& from, const dvec3& to, const Stroke& stroke);
     void polyline(std::span<const dvec3> points, const Stroke& stroke, bool closed = false);
 
@@ -148,6 +153,7 @@ private:
     void set_door(const gl::Program& program) const;
     void draw_shapes(bool solid);
     void draw_pieces(bool see_through);
+    void draw_discs();
     void draw_triangles();
     void finish(unsigned framebuffer);
 

@@ -66,7 +66,12 @@ void Renderer::draw_shadows() {
     dvec3 high(-1e300);
     StillShadow wanted;
     wanted.towards_sun = sky.towards_sun;
+    const PlacedModel* caster = nullptr;
+    int casters = 0;
     for (const PlacedModel& m : p.models) {
+        if (!m.look.casts_shadow) continue;
+        caster = &m;
+        ++casters;
         const double radius = glm::length(m.model->bounds().max - m.model->bounds().min) * 0.5;
         low = glm::min(low, m.origin() - radius);
         high = glm::max(high, m.origin() + radius);
@@ -74,12 +79,12 @@ void Renderer::draw_shadows() {
         wanted.models.push_back(m.model->serial());
         wanted.poses.push_back(m.pose);
     }
-    if (p.models.empty()) low = high = camera.eye;
+    if (casters == 0) low = high = camera.eye;
     const Ball scene{(low + high) * 0.5, std::max(glm::length(high - low) * 0.5, 1e-6)};
     // Around a model's origin a ball of half its diagonal is enough; several models have the box around their balls.
     Ball region = scene;
-    if (p.models.size() == 1)
-        region.radius = glm::length(p.models[0].model->bounds().max - p.models[0].model->bounds().min) * 0.5 + 1e-6;
+    if (casters == 1)
+        region.radius = glm::length(caster->model->bounds().max - caster->model->bounds().min) * 0.5 + 1e-6;
     if (region.radius > largest_region) {
         region.radius = largest_region;
         region.middle = snapped(camera.eye + camera.forward * (largest_region * 0.6), largest_region * 0.3);
@@ -104,7 +109,7 @@ void Renderer::draw_shadows() {
     if (!same) {
         p.still->begin(region.middle, region.radius, reach, sky.towards_sun);
         for (const PlacedModel& m : p.models)
-            if (!m.look.moves) draw_model(m, *p.still);
+            if (!m.look.moves && m.look.casts_shadow) draw_model(m, *p.still);
         p.still_is = std::move(wanted);
         counts_.shadow_drawn = true;
     }
@@ -119,14 +124,15 @@ void Renderer::draw_shadows() {
     for (const Piece& piece : p.pieces.pieces())
         if (piece.casts_shadow) include(piece.place[3], reach_of(piece));
     for (const PlacedModel& m : p.models)
-        if (m.look.moves) include(m.origin(), glm::length(m.model->bounds().max - m.model->bounds().min) * 0.5);
+        if (m.look.moves && m.look.casts_shadow)
+            include(m.origin(), glm::length(m.model->bounds().max - m.model->bounds().min) * 0.5);
     if (moving_low.x <= moving_high.x) {
         const dvec3 middle = (moving_low + moving_high) * 0.5;
         const double radius = std::min(glm::length(moving_high - moving_low) * 0.5, largest_region);
         // Shadows fall on what is behind the movers, however far that is.
         p.moving->begin(middle, radius, radius, sky.towards_sun);
         for (const PlacedModel& m : p.models)
-            if (m.look.moves) draw_model(m, *p.moving);
+            if (m.look.moves && m.look.casts_shadow) draw_model(m, *p.moving);
         for (const PlacedShape& s : p.placed) {
             if (!s.look.casts_shadow) continue;
             p.depth.set("clip_from_model", p.moving->clip_from(middle) * s.from_model(middle));
@@ -162,6 +168,7 @@ void Renderer::draw_scene() {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     draw_triangles();
+    draw_discs();
     draw_shapes(false);
     draw_pieces(true);
     glDisable(GL_CULL_FACE);
@@ -184,6 +191,12 @@ void Renderer::set_door(const gl::Program& program) const {
 
 void Renderer::draw_models() {
     Parts& p = *parts_;
+    glActiveTexture(GL_TEXTURE2);
+    glBindTexture(GL_TEXTURE_2D, p.patterns.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    effects.soft_patterns ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, effects.soft_patterns ? GL_LINEAR : GL_NEAREST);
+    glActiveTexture(GL_TEXTURE0);
     const bool has_door = door_.strength > 0 || door_.nearest > 0;
     for (const PlacedModel& m : p.models) {
         const EdgeLook& edges = m.look.edges;
@@ -195,8 +208,10 @@ void Renderer::draw_models() {
             p.light.set(program);
             program.set("clip_from_eye", p.clip_from_eye);
             program.set("eye_from_model", from_model);
+            program.set("patterns", 2);
         };
-        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][with_edges ? 2 : m.model->is_flat() ? 1 : 0];
+        const std::size_t look = with_edges ? 2 : m.model->has_patterns() ? 3 : m.model->is_flat() ? 1 : 0;
+        const gl::Program& program = p.mesh[effects.shadows ? 1 : 0][look];
         use(program);
         if (has_door && !with_edges && m.model->is_flat()) {
             const double widest = 1.5 * std::max(door_.half.x, door_.half.y);
@@ -205,7 +220,7 @@ void Renderer::draw_models() {
                                  .radius = door_.strength > 0 ? static_cast<float>(widest) : 0,
                                  .nearest = static_cast<float>(door_.nearest)};
             counts_.triangles += m.model->draw_parted(seen, line, false);
-            const gl::Program& door = p.door[effects.shadows ? 1 : 0];
+            const gl::Program& door = p.door[effects.shadows ? 1 : 0][m.model->has_patterns() ? 1 : 0];
             use(door);
             set_door(door);
             door.set("door_gap", m.look.yields ? -0.5F : 0.3F);
@@ -258,6 +273,10 @@ void Renderer::draw_pieces(bool see_through) {
     Parts& p = *parts_;
     counts_.triangles += p.pieces.draw(p.light, p.clip_from_eye, view_.camera.eye,
                                        view_.camera.unit_at(1, view_.framebuffer), see_through, effects.shadows);
+}
+
+void Renderer::draw_discs() {
+    parts_->discs.draw(parts_->clip_from_eye, view_.camera.eye, view_.camera.right(), view_.camera.above());
 }
 
 void Renderer::draw_sky() {

@@ -58,8 +58,8 @@ struct StillShadow {
 struct Renderer::Parts {
     Parts();
 
-    gl::Program mesh[2][3];  // [shadows][round, flat, with edges]
-    gl::Program door[2];     // [shadows]: flat, with holes
+    gl::Program mesh[2][4];  // [shadows][round, flat, with edges, with patterns]
+    gl::Program door[2][2];  // [shadows][flat, with patterns], with holes
     gl::Program shape;
     gl::Program depth;
     gl::Program flat;
@@ -71,6 +71,8 @@ struct Renderer::Parts {
     LinePass lines;
     ShapeStore shapes;
     PiecePass pieces;
+    DiscPass discs;
+    gl::Texture patterns;
     Canvas canvas;
     std::optional<ShadowMap> still;
     std::optional<ShadowMap> moving;

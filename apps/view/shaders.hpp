@@ -56,114 +56,12 @@ vec3 shaded(vec3 albedo, vec3 place, vec3 normal) {
     return albedo * light;
 }
 
-vec3 fogged(vec3 colour, vec3 place) {
+// What shines by itself is seen farther through fog.
+vec3 fogged(vec3 colour, vec3 place, float own) {
     float d = dot(place, place) * fog;
-    return mix(colour, fog_colour, d / (1.0 + d));
+    return mix(colour, fog_colour, d / (1.0 + d) * (1.0 - 0.8 * own));
 }
-)";
-
-/// Backs are darker and warmer.
-inline constexpr std::string_view mesh_light = R"(
-vec3 lit_from_eye(vec3 normal, vec3 place, vec3 colour) {
-    normal = normalize(normal);
-    bool back = dot(normal, place) > 0.0;
-    if (back) normal = -normal;
-    vec3 albedo = colour * colour;
-    if (back) albedo *= vec3(0.72, 0.66, 0.70);
-    return shaded(albedo, place, normal);
-}
-)";
-
-/// With LIT_WHOLE, light is worked out once for a flat triangle on which no shadow falls, and not for its every pixel.
-inline constexpr std::string_view mesh_vertex = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 colour;
-#ifdef EDGES
-layout(location = 3) in uint info;
-out vec3 v_corner;
-flat out uint v_info;
-#endif
-uniform mat4 clip_from_eye;
-uniform mat4 eye_from_model;
-out vec3 v_place;
-#ifdef LIT_WHOLE
-flat out vec3 v_lit;
-#else
-#ifdef FLAT
-flat
-#endif
-out vec3 v_normal;
-flat out vec4 v_colour;
-#endif
-void main() {
-    vec4 place = eye_from_model * vec4(position, 1.0);
-    v_place = place.xyz;
-#ifdef LIT_WHOLE
-    v_lit = lit_from_eye(mat3(eye_from_model) * normal, v_place, colour.rgb);
-#else
-    v_normal = mat3(eye_from_model) * normal;
-    v_colour = colour;
-#endif
-#ifdef EDGES
-    int corner = gl_VertexID % 3;
-    v_corner = vec3(corner == 0, corner == 1, corner == 2);
-    v_info = info;
-#endif
-    gl_Position = clip_from_eye * place;
-}
-)";
-
-/// Edges are drawn by the triangles that have them, so they cost nothing apart and fight with no surface. With DOOR,
-/// `door` (door_shader.hpp) goes before it.
-inline constexpr std::string_view mesh_fragment = R"(
-in vec3 v_place;
-#ifdef LIT_WHOLE
-flat in vec3 v_lit;
-#else
-#ifdef FLAT
-flat
-#endif
-in vec3 v_normal;
-flat in vec4 v_colour;
-#endif
-out vec4 result;
-#ifdef EDGES
-in vec3 v_corner;
-flat in uint v_info;
-uniform float edge_width;
-uniform vec4 edge_colours[4];
-
-vec4 kind(uint edge) {
-    uint k = (v_info >> (2u * edge)) & 3u;
-    return k == 0u ? edge_colours[0] : k == 1u ? edge_colours[1] : k == 2u ? edge_colours[2] : edge_colours[3];
-}
-#endif
-void main() {
-#ifdef DOOR
-    if (is_hole(v_place)) discard;
-#endif
-#ifdef LIT_WHOLE
-    vec3 colour = v_lit;
-#else
-    vec3 colour = lit_from_eye(v_normal, v_place, v_colour.rgb);
-#endif
-#ifdef EDGES
-    vec3 per_pixel = fwidth(v_corner);
-    vec3 far = v_corner / per_pixel;         // pixels from the edges bc, ca, ab
-    vec3 tall = 1.0 / per_pixel;             // how many pixels the triangle is high over each
-    vec3 cover = clamp(edge_width * 0.5 + 0.5 - far, 0.0, 1.0);
-    float room = min(tall.x, min(tall.y, tall.z));
-    cover *= smoothstep(1.0, 7.0, room);
-    vec4 c = kind(1u);
-    colour = mix(colour, c.rgb * c.rgb, cover.x * c.a);
-    c = kind(2u);
-    colour = mix(colour, c.rgb * c.rgb, cover.y * c.a);
-    c = kind(0u);
-    colour = mix(colour, c.rgb * c.rgb, cover.z * c.a);
-#endif
-    result = vec4(sqrt(fogged(colour, v_place)), 1.0);
-}
+vec3 fogged(vec3 colour, vec3 place) { return fogged(colour, place, 0.0); }
 )";
 
 inline constexpr std::string_view depth_vertex = R"(

@@ -11,9 +11,9 @@
 
 namespace surefoot::view {
 
-/// A direction in bytes.
+/// A direction in bytes, and the pattern of the triangle whose last corner has it.
 struct SmallNormal {
-    std::int8_t x, y, z, unused;
+    std::int8_t x, y, z, pattern;
     bool operator==(const SmallNormal&) const = default;
 };
 

@@ -55,7 +55,7 @@ def check_marks(level):
         found = len(level.of(kind))
         if found != count:
             yield f"{found} nodes of kind {kind} instead of {count}"
-    for kind, least, most in (("coin", 30, 90), ("checkpoint", 3, 6), ("beat", 6, 10), ("heart", 1, 8)):
+    for kind, least, most in (("coin", 30, 120), ("checkpoint", 3, 8), ("beat", 6, 12), ("heart", 1, 8)):
         if not least <= len(level.of(kind)) <= most:
             yield f"{len(level.of(kind))} of kind {kind}, not {least} to {most}"
     for kind in ("checkpoint", "beat"):
@@ -96,10 +96,21 @@ def check_marks(level):
             yield f"'{node.name}' wants {node.extras['coins']} of {len(level.of('coin'))} coins"
 
 
+def check_times(level):
+    """Medals are in order, and par is a time between the best of them and the least."""
+    for node in level.of("level"):
+        par = node.extras.get("par", 0)
+        gold, silver, bronze = (node.extras.get(medal, par * share) for medal, share in (("gold", 1), ("silver", 1.35), ("bronze", 1.9)))
+        if not gold <= silver <= bronze or not gold <= par <= bronze:
+            yield f"par {par} s, gold {gold} s, silver {silver} s, bronze {bronze} s are not in order"
+        if not 60 <= gold <= 240 or bronze > 420:
+            yield f"gold at {gold} s and bronze at {bronze} s: a first run would not last two to six minutes"
+
+
 def check_size(level):
-    still = sum(len(node.triangles) for node in level.nodes if not node.kind)
+    still = sum(len(node.triangles) for node in level.nodes if not node.kind or node.kind == "decor")
     if still > STILL_TRIANGLES:
-        yield f"{still} still triangles, more than {STILL_TRIANGLES}"
+        yield f"{still} triangles that stand still, more than {STILL_TRIANGLES}"
     if level.bytes > FILE_BYTES:
         yield f"{level.bytes} bytes, more than {FILE_BYTES}"
 
@@ -145,7 +156,7 @@ def check_surfaces(level):
         yield f"{level.thin_triangles()} triangles without area"
 
 
-CHECKS = (check_marks, check_size, check_footing, check_surfaces)
+CHECKS = (check_marks, check_times, check_size, check_footing, check_surfaces)
 
 
 def problems(level):
@@ -184,7 +195,8 @@ def self_test():
 
     faults = {"a second goal": doubled("goal"), "a coin in the sky": moved("coin", 30), "a floating spawn": moved("spawn", 2),
               "a buried star": moved("star", -3), "kill_y above the ground": extra("level", "kill_y", 3),
-              "a par of nothing": extra("level", "par", 0), "checkpoints out of order": extra("checkpoint", "order", 9),
+              "a par of nothing": extra("level", "par", 0), "silver before gold": extra("level", "silver", 70),
+              "a level that is over in no time": extra("level", "gold", 30), "checkpoints out of order": extra("checkpoint", "order", 9),
               "an unknown kind": extra("heart", "kind", "hart"), "a ground twice": copied_ground,
               "a coin in a wall": moved("coin", -1.2)}
     missed = 0

@@ -206,7 +206,7 @@ def the_clock_tower(k):
 
 
 if __name__ == "__main__":
-    level = Level("Clockwork", "Ride what moves: ferries, lifts, discs, a wheel, a train.", order=2, par=120, palette=PALETTE,
-                  kill_y=-9, music="lively", sky="day", far_towers=True, secret=False, stars_needed=0)
+    level = Level("Clockwork", "Ride what moves: ferries, lifts, discs, a wheel, a train.", order=2, par=120, silver=170, bronze=260, palette=PALETTE,
+                  kill_y=-9, music="lively", sky="day", far_towers=True, drawings={"side": "bricks", "path": "bricks"}, secret=False, stars_needed=0)
     level.play(the_yard, the_ferries, the_lift, the_discs, the_court, the_great_wheel, the_train, the_clock_tower)
     level.write()

@@ -131,9 +131,38 @@ def the_guard(k):
     k.pine(3, 5.8, tall=5)
     k.pine(15, -5.8, tall=6)
     k.rock(13.5, 5, material="side")
-    k.checkpoint(15.5, "The cold store")
+    k.checkpoint(15.5, "The sorting hall")
     k.coins(4, 13, 3, across0=3.5)
     k.go(18)
+
+
+def the_sorting_hall(k):
+    """Tested: belts side by side that run each its own way, and bars across them: under one by sliding, over the next."""
+    k.beat("The sorting hall", "Change lanes, slide under, jump over.", eye=(-6, 4.5, 5.5), look=(14, 0, -0.5))
+    k.prompt(-2, "Slide under the high bars: run and {crouch}", long=6, width=12)
+    k.island(-0.6, 36, 13, up=-0.04, deep=10, chamfer=2)
+    for a, speeds in ((2.0, (3.0, -2.4, 3.0)), (19.5, (-2.6, 3.2, -2.6))):
+        for lane, speed in enumerate(speeds):
+            k.belt(a, a + 13.5, 2.3, speed, shift=3.1 * (lane - 1), up=-0.04)
+    for a, low, high in ((7.0, 1.18, 1.9), (11.6, 0.25, 0.62), (24.4, 1.18, 1.9), (29.0, 0.25, 0.62)):
+        for edge in (-1, 1):
+            k.block(a - 0.35, a + 0.35, 0.7, -0.04, 2.4, shift=5.35 * edge, material="accent", top="accent")
+        k.block(a - 0.22, a + 0.22, 10.0, low, high, material="accent", top="accent")
+    for edge in (-1, 1):
+        k.wall(1.5, 34, 0.5, 0, 0.9, shift=5.9 * edge)
+        k.lamp(17.5, 3.4 * edge)
+    k.way(5.6, (8.4, 0, -0.04), "crouch")
+    k.way(23.0, (25.8, 0, -0.04), "crouch")
+    k.coins(4, 10, 3, across0=-3.1, up=0.55)
+    k.coins(13.5, 22, 3, across0=-3.1, across1=0, up=0.9)
+    k.coins(26, 32, 3, across0=0.0, up=0.9)
+    k.go(36)
+    k.island(0, 9, 13, deep=9, chamfer=2)
+    k.patch(1.2, 8, 2.6)
+    k.pine(4.5, 4.8, tall=5)
+    k.crystal(5, -4.6, size=1.5, material="ice")
+    k.checkpoint(5, "The cold store")
+    k.go(9)
 
 
 def the_cold_store(k):
@@ -185,7 +214,8 @@ def the_last_slope(k):
 
 
 if __name__ == "__main__":
-    level = Level("Cold Feet", "Glide, slide, crouch, and do not trust the ground.", order=3, par=120, palette=PALETTE,
+    level = Level("Cold Feet", "Glide, slide, crouch, and do not trust the ground.", order=3, par=95, silver=140, bronze=220, palette=PALETTE,
                   kill_y=-27, music="calm", sky="day", secret=False, stars_needed=0)
-    level.play(the_pond, the_floes, the_burrow, the_slope, the_belts, the_guard, the_cold_store, the_last_slope)
+    level.play(the_pond, the_floes, the_burrow, the_slope, the_belts, the_guard, the_sorting_hall, the_cold_store,
+               the_last_slope)
     level.write()

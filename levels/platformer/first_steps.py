@@ -125,15 +125,37 @@ def the_wide_gaps(k):
     k.tree(11.5, 4.4, tall=6)
     k.rock(11, -3.8, size=0.8)
     k.meadow(1, 14, 12, 12)
-    k.checkpoint(5.4, "The ledges")
-    k.go(7.5, turn=-90)
+    k.checkpoint(5.4, "The high stones")
+    k.go(15)
+
+
+def the_high_stones(k):
+    """Twisted: wide gaps that climb. Round stones in a bow, each higher: the second jump has to come at the top of the first."""
+    k.beat("High stones", "Jump again at the top of the jump.", eye=(-7, -1.5, 5.5), look=(14, -4, 2))
+    k.prompt(-3, "Wait for the top of the jump, then {jump} again", long=7, width=12)
+    places = ((5.4, -0.6, 1.2), (11.8, -3.0, 2.6), (17.0, -7.4, 4.0), (19.6, -13.8, 5.4))
+    before = (0.0, 0.0, 0.0)
+    for a, x, up in places:
+        k.column(a, x, 1.9, up=up, deep=6)
+        k.coins(before[0] + 0.45 * (a - before[0]), before[0] + 0.8 * (a - before[0]), 2,
+                across0=before[1] + 0.45 * (x - before[1]), across1=before[1] + 0.8 * (x - before[1]), up=before[2] + 2.6, up1=up + 1.5)
+        before = (a, x, up)
+    k.go(19.6, across=-18.6, up=5.4, turn=-90)
+    k.island(-0.4, 14.5, 13, deep=9, chamfer=2)
+    k.patch(1.2, 13, 2.4)
+    k.tree(4, 4.6, tall=5)
+    k.tree(9, -4.4, tall=6)
+    k.bush(11, 4.8)
+    k.meadow(1, 13, 11, 14)
+    k.heart(11, 2.6)
+    k.checkpoint(6, "The ledges")
+    k.go(14)
 
 
 def the_ledges(k):
     """Taught: hands. The first wall is low enough to be seen over; the second needs two jumps and the edge."""
-    k.beat("Ledges", "Jump at a wall and hold on to its edge.", eye=(-6.5, 0, 5), look=(14, 0, 2.5))
-    k.prompt(3, "Jump at the edge to hold on; {jump} or forward to climb", long=8, width=12)
-    k.go(7)
+    k.beat("Ledges", "Jump at a wall and hold on to its edge.", eye=(-7.5, 2.5, 4.5), look=(14, 0, 2.5))
+    k.prompt(-3, "Jump at the edge to hold on; {jump} or forward to climb", long=8, width=12)
     k.island(-0.6, 22, 13, up=-0.05, deep=10, chamfer=2)
     k.block(4, 18.5, 9, 0, 2.0, chamfer=0.3)
     k.patch(4.5, 9.4, 8, up=2.0, material="top")
@@ -149,36 +171,70 @@ def the_ledges(k):
     k.slab(12.5, 15.5, 2.6, shift=-7.4, up=2.6, thick=0.6)
     k.star(14, -7.4, 3.7)
     k.coin(14, -5.2, 4.8)
-    k.checkpoint(13.2, "The old tower", up=5.0)
+    k.checkpoint(13.2, "The pillars", up=5.0)
     k.go(18.3, up=5.0)
 
 
+def the_pillars(k):
+    """Tested: hands over the deep. Pillars higher than two jumps, and from the last of them a run of drops."""
+    k.beat("The pillars", "Two jumps, and hold on. Then run down.", eye=(-6.5, 4, 4.5), look=(13, 0, 3.5))
+    for a, x, up in ((3.2, 0.0, 2.7), (8.0, 1.6, 5.4), (12.8, -0.6, 8.1)):
+        k.block(a - 1.9, a + 1.9, 4.0, up - 9, up, shift=x, material="side", top="trim", chamfer=0.5)
+        k.patch(a - 1.4, a + 1.4, 3.0, shift=x, up=up, material="top")
+        k.coins(a - 0.8, a + 0.8, 2, across0=x, up=up + 0.95)
+    k.tree(13.6, -1.6, up=8.1, tall=3.2)
+    k.slab(18.2, 22.4, 4.2, shift=0.4, up=6.0, thick=0.8)
+    k.coins(15.2, 18.0, 3, across1=0.4, up=9.2, up1=7.6, arc=0.5)
+    k.slab(26.6, 30.8, 4.2, shift=-0.6, up=4.0, thick=0.8)
+    k.coins(22.9, 26.2, 3, across1=-0.6, up=7.2, up1=5.6, arc=0.6)
+    k.go(35.0, up=2.0)
+    k.coins(-3.6, -0.6, 3, up=3.2, up1=1.8, arc=0.5)
+    k.island(0, 16, 14, deep=9, chamfer=2.5)
+    k.patch(1.2, 15, 2.4)
+    k.tree(5, -5, tall=5.5)
+    k.tree(12, 5, tall=5)
+    k.rock(10.5, -4.6, size=1.0)
+    k.meadow(1, 15, 12, 14)
+    k.checkpoint(8, "The old tower")
+    k.go(16)
+
+
 def the_old_tower(k):
-    """Twisted: all of it around one tower. A jump, a wide gap, a ledge, and the next is always in sight."""
-    k.beat("The old tower", "Around the tower: jump, jump twice, hold on.", eye=(-6, 3, 4.5), look=(14, 0, 3))
-    k.tower(15, 0, 4.2, -10, 5.9, corners=14)
-    k.slab(2.6, 6.4, 4.0, up=0.4, thick=0.8)
+    """Twisted: all of it, twice around one tower. Jumps, wide gaps, a ledge at the top, and the next is always in sight."""
+    k.beat("The old tower", "Twice around the tower: jump, jump twice, hold on.", eye=(-7, -2.5, 5), look=(14, 0, 5))
+    k.tower(15, 0, 4.2, -10, 11.0, corners=14)
+    k.slab(2.6, 6.4, 4.6, shift=-0.9, up=0.4, thick=0.8)
     k.coins(0.4, 2.3, 3, up=1.1, up1=1.5, arc=0.6)
-    k.slab(8.9, 13.1, 3.6, shift=-7.0, up=1.4, thick=0.8)
-    k.coins(6.6, 9.4, 4, across0=-2.2, across1=-5.6, up=1.6, up1=2.4, arc=0.9)
+    k.slab(8.6, 12.8, 3.6, shift=-6.6, up=1.4, thick=0.8)
+    k.coins(6.6, 9.0, 4, across0=-2.6, across1=-5.4, up=1.6, up1=2.4, arc=0.7)
     k.slab(17.6, 21.6, 3.8, shift=-6.6, up=2.2, thick=0.8)
     k.coins(13.5, 17.1, 4, across0=-7.0, across1=-6.7, up=2.6, up1=3.1, arc=1.0)
     k.slab(20.0, 24.0, 4.0, shift=0.4, up=3.1, thick=0.8)
     k.coins(20.2, 21.4, 3, across0=-4.5, across1=-1.8, up=3.4, up1=4.0, arc=0.6)
-    k.coins(19.0, 17.2, 2, across0=0, across1=0, up=7.2, up1=7.0)
-    k.flag(15, 0, up=5.9, tall=5)
-    k.heart(13.2, 1.6, up=6.8)
-    k.go(15, up=5.9, turn=90)
+    # Once more around, higher, and from the far side of the gate on to the head: from here there is no way past it.
+    k.slab(17.4, 21.4, 3.6, shift=6.8, up=4.2, thick=0.8)
+    k.slab(9.0, 13.0, 3.6, shift=7.0, up=5.0, thick=0.8)
+    k.coins(16.6, 13.6, 3, across0=6.9, up=5.6, up1=6.0, arc=1.0)
+    k.slab(3.0, 7.0, 4.0, shift=0.6, up=6.0, thick=0.8)
+    k.coins(8.2, 7.4, 2, across0=5.0, across1=3.0, up=6.7, up1=7.2)
+    k.slab(7.4, 11.4, 3.6, shift=-6.0, up=7.0, thick=0.8)
+    k.slab(13.0, 17.0, 3.8, shift=-6.9, up=8.2, thick=0.8)
+    k.coins(15.0, 15.0, 3, across0=-5.6, across1=-2.6, up=10.6, up1=12.0)
+    k.flag(15, 0, up=11.0, tall=5)
+    k.heart(13.2, 1.6, up=11.9)
+    k.go(15, up=11.0, turn=90)
 
 
 def the_way_down(k):
     """Concluded: from the head of the tower the whole way is seen; a last run of drops and wide jumps to the gate."""
     k.beat("The gate", "Down and home.", eye=(-8, -5, 4.5), look=(16, 0, -3))
-    k.slab(7.6, 12.6, 4.4, up=-1.8, thick=0.8)
-    k.coins(4.2, 7.4, 4, up=0.9, up1=-0.6, arc=0.9)
+    k.slab(7.6, 12.6, 4.4, up=-1.2, thick=0.8)
+    k.coins(4.2, 7.4, 3, up=0.9, up1=0.0, arc=0.9)
     k.slab(17.4, 22.4, 4.4, shift=-1, up=-3.2, thick=0.8)
-    k.coins(13.0, 17.0, 4, across1=-0.8, up=-0.7, up1=-2.0, arc=1.2)
-    k.go(27.6, across=-1, up=-4.4)
+    k.coins(13.0, 17.0, 3, across1=-0.8, up=-0.1, up1=-2.0, arc=1.2)
+    k.slab(27.4, 32.4, 4.4, shift=0.6, up=-5.2, thick=0.8)
+    k.coins(23.0, 27.0, 3, across0=-0.8, across1=0.4, up=-2.1, up1=-4.0, arc=1.2)
+    k.go(37.4, across=0, up=-6.6)
     k.coins(-4.6, -0.6, 4, up=2.2, up1=1.0, arc=1.2)
     k.island(0, 24, 16, deep=11, chamfer=4)
     k.patch(1.2, 13, 2.8)
@@ -192,7 +248,8 @@ def the_way_down(k):
 
 
 if __name__ == "__main__":
-    level = Level("First Steps", "Run, jump, jump again, hold on.", order=1, par=90, palette=PALETTE, kill_y=-9, music="calm",
+    level = Level("First Steps", "Run, jump, jump again, hold on.", order=1, par=90, silver=130, bronze=200, palette=PALETTE, kill_y=-9, music="calm",
                   sky="day", secret=False, stars_needed=0)
-    level.play(the_meadow, the_brook, the_stones, the_steps, the_wide_gaps, the_ledges, the_old_tower, the_way_down)
+    level.play(the_meadow, the_brook, the_stones, the_steps, the_wide_gaps, the_high_stones, the_ledges, the_pillars,
+               the_old_tower, the_way_down)
     level.write()

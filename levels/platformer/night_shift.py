@@ -12,8 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from kit import Level  # noqa: E402
 
 PALETTE = {
-    "top": "#6a79a3", "trim": "#a9b8e2", "side": "#46527f", "rock": "#343d66", "path": "#8290b8", "accent": "#7a5fa8",
-    "leaf": "#2f5f6e", "light leaf": "#4b8a8f", "trunk": "#3a3550", "far": "#3c4672", "far top": "#56628f",
+    "top": "#6f86a0", "trim": "#c3cfe6", "side": "#71608f", "rock": "#4b4a78", "path": "#a7a3b4", "accent": "#a06ab8",
+    "leaf": "#2f7a72", "light leaf": "#58a592", "trunk": "#4a3f5a", "far": "#3c4672", "far top": "#56628f",
     "machine": "#2f7f86", "machine trim": "#8fe0dc",
 }
 
@@ -27,7 +27,7 @@ def house(k, along0, along1, width, tall, shift=0.0, up=0.0):
             a = along0 + long * (i + 0.5) / max(1, int(long // 2))
             x = shift + side * (width / 2 + 0.03)
             k.decor.extrude(k.frame, [(a - 0.35, up + tall * 0.45), (a + 0.35, up + tall * 0.45), (a + 0.35, up + tall * 0.75), (a - 0.35, up + tall * 0.75)],
-                            x - 0.04, x + 0.04, [None] * 4, "lamp")
+                            x - 0.04, x + 0.04, [None] * 4, "window")
 
 
 def rampart(k, along, far=17.0, **lock):
@@ -225,7 +225,8 @@ def the_square(k):
 
 
 if __name__ == "__main__":
-    level = Level("Night Shift", "Four kinds of enemies, three doors, and all of the above.", order=6, par=150, palette=PALETTE,
-                  far_towers=True, kill_y=-9, music="lively", sky="night", secret=False, stars_needed=0)
+    level = Level("Night Shift", "Four kinds of enemies, three doors, and all of the above.", order=6, par=150, silver=210, bronze=320, palette=PALETTE,
+                  far_towers=True, drawings={"side": "bricks", "path": "bricks"}, kill_y=-9,
+                  music="lively", sky="night", secret=False, stars_needed=0)
     level.play(the_gate_house, the_street, the_yard, the_gallery, the_works, the_back_stairs, the_square)
     level.write()

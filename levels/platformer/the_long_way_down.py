@@ -13,7 +13,7 @@ from kit import Level  # noqa: E402
 
 PALETTE = {
     "top": "#f2c6b0", "trim": "#ffe9d8", "side": "#b06a9a", "rock": "#774a86", "path": "#dba6a6", "accent": "#3fa9b5",
-    "leaf": "#8a5aa8", "light leaf": "#c98ac4", "trunk": "#5d3f63", "far": "#a487b8", "far top": "#d9b7c9",
+    "crystal": dict(colour="#5fd0dc", glow=0.55), "leaf": "#8a5aa8", "light leaf": "#c98ac4", "trunk": "#5d3f63", "far": "#a487b8", "far top": "#d9b7c9",
     "machine": "#3f7fae", "machine trim": "#a9dcf2", "fast ice": dict(colour="#bfe4f7", grip=0.06),
 }
 
@@ -45,11 +45,11 @@ def the_summit(k):
 
 
 def the_leap(k):
-    """Tested: off the edge, twelve metres down, into the middle of a pad, and on to the next island."""
+    """Tested: off the edge, thirteen metres down, into the middle of a pad, and on to the next island."""
     k.beat("The leap", "Down there is a pad. Trust it.", eye=(-2, -4, 5), look=(12, 0, -9))
-    k.island(4.6, 15.4, 10, up=-12, deep=6, chamfer=2.5)
-    pad(k, 12.0, 0, -12, (20.4, 0, -8.0), 17, radius=2.0)
-    k.coins(3, 10.5, 5, up=0.4, up1=-9.0)
+    k.island(4.6, 15.4, 10, up=-13, deep=6, chamfer=2.5)
+    pad(k, 12.0, 0, -13, (20.4, 0, -8.0), 17.5, radius=2.0)
+    k.coins(3, 10.5, 5, up=0.4, up1=-10.0)
     k.coins(13, 18.6, 5, up=-8.0, up1=-6.6, arc=1.8)
     k.go(19, up=-8)
     k.island(0, 15, 13, deep=8, chamfer=2)
@@ -120,11 +120,37 @@ def the_run(k):
     k.coins(39.6, 46.6, 4, up=-8.8, up1=-7.6, arc=1.4)
     k.go(47, up=-9.6)
     k.island(0, 14, 13, deep=8, chamfer=2)
-    k.checkpoint(4, "The eye of the needle")
+    k.checkpoint(4, "The see-saw")
     k.crystal(3, 4.6, size=1.6)
     k.tree(10, -4.6, tall=5)
     k.go(7, turn=-90)
     k.go(6.3)
+
+
+def the_seesaw(k):
+    """Tested: a slope into a pad, a dash out of its throw's landing, and once more: down, up, far, without a rest."""
+    k.beat("The see-saw", "Slide down, fly up, dash on.", eye=(-3, -1.5, 4.5), look=(14, 0, -3.5))
+    k.ramp(-0.4, 14, 6.0, -0.05, -4.6, deep=1.2, top="fast ice")
+    k.coins(3, 12, 3, up=0.0, up1=-2.9)
+    k.slab(13.5, 21.0, 6.4, up=-4.7, thick=0.9)
+    pad(k, 19.0, 0, -4.7, (28.2, 0, -2.2), 16, radius=1.8)
+    k.coins(19.2, 26.2, 4, up=-1.4, up1=-0.2, arc=1.4)
+    k.slab(26.6, 31.4, 5.0, up=-2.2, thick=0.8)
+    k.flag(27.4, 2.0, up=-2.2, tall=4)
+    k.way(30.8, (39.8, 0.6, -3.8), "dash", up=-2.2)
+    k.coins(32.6, 37.6, 3, across1=0.6, up=-0.6, up1=-2.2, arc=0.9)
+    k.slab(38.6, 42.2, 5.6, shift=0.6, up=-3.8, thick=0.8)
+    k.go(42.0, across=0.6, up=-3.85)
+    k.ramp(0, 15, 5.6, 0, -5.2, deep=1.2, top="fast ice")
+    for e in (-1, 1):
+        k.ramp(0.1, 14.9, 0.8, 0.6, -4.6, shift=3.1 * e, deep=1.9, top="trim")
+    k.coins(2, 13, 4, up=0.4, up1=-3.6)
+    k.go(17.6, up=-6.2)
+    k.island(0, 12, 13, deep=8, chamfer=2)
+    k.checkpoint(4, "The eye of the needle")
+    k.tree(8, 4.6, tall=5)
+    k.crystal(8, -4.6, size=1.4)
+    k.go(12)
 
 
 def the_needle(k):
@@ -171,7 +197,8 @@ def the_last_drop(k):
 
 
 if __name__ == "__main__":
-    level = Level("The Long Way Down", "Pads, dashes and slopes, downhill all the way.", order=7, par=90, palette=PALETTE, kill_y=-68,
+    level = Level("The Long Way Down", "Pads, dashes and slopes, downhill all the way.", order=7, par=95, silver=140, bronze=220, palette=PALETTE, kill_y=-78,
                   music="lively", sky="dusk", secret=True, stars_needed=12)
-    level.play(the_summit, the_leap, the_chain, the_gale, the_run, the_needle, the_last_drop)
+    level.play(the_summit, the_leap, the_chain, the_gale, the_run, the_seesaw, the_needle,
+               the_last_drop)
     level.write()

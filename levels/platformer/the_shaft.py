@@ -13,12 +13,13 @@ from kit import Level  # noqa: E402
 
 PALETTE = {
     "top": "#c3b2d4", "trim": "#e6dbf2", "side": "#76639a", "rock": "#5a4a80", "path": "#a996c2", "accent": "#4fa79b",
-    "leaf": "#3f8a7d", "light leaf": "#79c2ae", "trunk": "#4e3a55", "far": "#8f86ae", "far top": "#b8aecb",
+    "crystal": dict(colour="#5fe0cc", glow=0.6), "leaf": "#3f8a7d", "light leaf": "#79c2ae", "trunk": "#4e3a55", "far": "#8f86ae", "far top": "#b8aecb",
     "machine": "#3c6f92", "machine trim": "#9fd0e6",
 }
 WAY = 9.5    # from the tower's middle to the middle of the way around it; the tower's own faces are at 7
 HALF = 2.5   # half the width of the way
 WALL = 2.5   # where the tower's face is, to the right of the way
+TOP = 57.3   # of the tower
 
 
 def corner(k, section=None, deep=5):
@@ -28,6 +29,13 @@ def corner(k, section=None, deep=5):
     if section:
         k.checkpoint(-0.4, section, across=-0.4)
     k.go(turn=90)
+
+
+def windows(k, *places):
+    """Lit windows in the tower's face beside the way: (along, up) of their sills."""
+    for a, up in places:
+        k.decor.extrude(k.frame, [(a - 0.32, up), (a + 0.32, up), (a + 0.32, up + 0.9), (a, up + 1.25), (a - 0.32, up + 0.9)],
+                        WALL - 0.04, WALL + 0.04, [None] * 5, "window")
 
 
 def the_foot(k):
@@ -53,7 +61,7 @@ def the_foot(k):
     k.island(-3.6, 2.5, 5, deep=5, chamfer=0.6, up=-0.05)
     middle = k.frame.moved(WAY, WAY)
     keep, k.frame = k.frame, middle
-    k.bare_wall(-7, 7, 14, -16, 45 - middle.z, bands=6)
+    k.bare_wall(-7, 7, 14, -16, TOP - middle.z, bands=8)
     k.frame = keep
 
 
@@ -62,6 +70,7 @@ def the_boards(k):
     k.beat("Boards", "Jump up through the boards.", eye=(-4, -4.5, 4), look=(10, 0.5, 3))
     k.prompt(2, "Boards can be jumped through from below", long=7, width=8)
     k.island(2.2, 16.8, 5, up=-0.08, deep=5, chamfer=0.6)
+    windows(k, (4.2, 2.6), (5.6, 6.6), (14.6, 2.4), (14.6, 9.2))
     for i, (a, up) in enumerate(((8, 2.1), (11.2, 4.2), (8, 6.3))):
         k.one_way(a - 1.8, a + 1.8, 4.2, up=up)
         k.coin(a, 0, up + 0.9)
@@ -113,6 +122,7 @@ def the_gallery(k):
     k.beat("The gallery", "Wait behind stone, run between the shots.", eye=(-5, -3.5, 4), look=(10, -1, 0.5))
     k.prompt(1, "It shoots: stone stops bullets", long=6, width=8)
     k.island(2.2, 16.8, 5.2, up=-0.12, deep=5, chamfer=0.6)
+    windows(k, (4.6, 2.4), (7.4, 2.4), (10.2, 2.4))
     for a in (4.6, 9.2, 13.8):
         k.wall(a - 0.9, a + 0.9, 0.6, 0, 2.2, shift=-1.9, material="accent")
     k.column(9.4, -12.5, 2.2, up=1.0, deep=14)
@@ -136,6 +146,7 @@ def the_long_climb(k):
     k.way(4.4, (6.0, 0.6, 4.43), "climb", across=0.6)
     k.coins(4.6, 4.6, 3, across0=0.6, up=1.4, up1=3.9)
     k.spikes(9.4, 16.8, 4.0, up=0, tall=0.5)
+    windows(k, (3.6, 2.6), (7, 7.2), (14.4, 3.4))
     k.one_way(10.6, 13.4, 3.6, up=5.4, shift=0.4)
     k.coin(12, 0.4, 6.3)
     k.one_way(13.9, 16.9, 3.6, up=7.4, shift=0.4)
@@ -165,13 +176,59 @@ def the_chimney(k):
     k.coin(9.2, -3.2, 12.8)
     k.camera(6, 13, 5, 12, pitch=25, distance=6.5, up=0)
     k.go(19, up=9.4)
-    corner(k)
+    corner(k, "The pit")
+
+
+def the_pit(k):
+    """Twisted: down first. A pit between two walls, too deep to jump out of: what was a way up is the only way on."""
+    k.beat("The pit", "Drop in. Out is up the walls.", eye=(-4, 0.6, 5.0), look=(9, 0.6, -2.5))
+    k.block(2.4, 6.4, 4.8, -6.9, -0.06, material="side", top="trim")   # down to the pit's floor: nobody gets under it
+    k.patch(2.8, 6.0, 4.2, up=-0.06, material="top")
+    k.bare_wall(6.2, 12.8, 1.0, -6.2, 4.6, shift=-0.95, bands=3)      # 2.95 m from the tower, and around the entrance
+    k.block(6.15, 12.6, 3.0, -6.7, -5.2, shift=0.95, material="side", top="path")
+    k.block(12.2, 17.0, 4.96, -6.4, 0.84)
+    k.patch(12.7, 16.4, 4.2, up=0.84, material="top")
+    k.lamp(6.9, 2.1, up=-5.2, tall=2.0)
+    k.way(9.6, (13.6, 1.0, 0.93), "wall_jump", across=1.0, up=-5.2)
+    k.coins(7.6, 7.6, 3, across0=1.0, up=0.6, up1=-3.6)
+    k.coins(9.8, 11, 3, across0=1.0, up=-2.6, up1=1.4)
+    k.camera(6.3, 13, 5, 11, pitch=28, distance=6.0, up=-5.4)
+    k.crystal(15.6, -1.4, size=1.0, up=0.87)
+    windows(k, (4.4, 2.4), (15, 3.4))
+    k.go(19, up=0.9)
+    corner(k, "The watched stair")
+
+
+def the_watched_stair(k):
+    """Twisted: stone from which to wait, a ladder and boards; and somebody outside who shoots at whoever hangs on them too long."""
+    k.beat("The watched stair", "Wait for the shot, then climb.", eye=(-4, -4.5, 4.5), look=(11, -0.5, 4))
+    k.island(2.2, 16.8, 5, up=-0.08, deep=5, chamfer=0.6)
+    k.wall(2.9, 4.7, 0.6, 0, 2.2, shift=-1.9, material="accent")
+    k.block(7.4, 11.4, 4.96, 0, 4.4)
+    k.patch(7.8, 11.0, 4.4, up=4.4, material="top")
+    k.ladder(7.4, 0, 4.43, across=0.8)
+    k.way(6.8, (8.4, 0.8, 4.43), "climb", across=0.8)
+    k.wall(8.0, 10.0, 0.6, 4.4, 6.4, shift=-1.8, material="accent")
+    k.coins(7.0, 7.0, 3, across0=0.8, up=1.4, up1=3.9)
+    k.column(10, -13.0, 2.2, up=5.4, deep=14)
+    k.enemy("shooter", 10, -13.0, 5.4, sight=17, leash=4)
+    windows(k, (4.4, 2.4), (6.2, 6.8), (13.2, 2.8), (15.6, 2.8))
+    k.one_way(12.2, 15.0, 3.6, shift=0.5, up=6.4)
+    k.one_way(14.6, 17.2, 3.4, shift=0.5, up=8.5)
+    k.coin(13.6, 0.5, 7.3)
+    k.coin(15.9, 0.5, 9.4)
+    k.slab(10.4, 13.8, 3.6, shift=0.4, up=10.4, thick=0.7)
+    k.coins(11.4, 12.8, 2, across0=0.4, up=11.3)
+    k.slab(15.2, 18.6, 4.2, shift=0.2, up=11.36, thick=0.7)
+    k.heart(17.2, -1.0, 12.3)
+    k.go(19, up=11.4)
+    corner(k, "The last stretch")
 
 
 def the_roof(k):
     """Concluded: the last ladder, a run along the edge, and the gate on the roof, over all that was climbed."""
     k.beat("The roof", "One more wall.", eye=(-2, -6, 4), look=(9, 5, 2))
-    top = 45 - k.frame.z         # the roof, above the way here
+    top = TOP - k.frame.z        # the roof, above the way here
     k.island(2.2, 12.5, 5, up=-0.08, deep=5, chamfer=0.6)
     k.coins(5, 9.5, 4)
     k.go(9.5, turn=90)
@@ -188,7 +245,9 @@ def the_roof(k):
 
 
 if __name__ == "__main__":
-    level = Level("The Shaft", "Up by the walls: ladders, boards, and jumps from side to side.", order=4, par=130, palette=PALETTE,
-                  far_towers=True, kill_y=-9, music="lively", sky="dusk", secret=False, stars_needed=0)
-    level.play(the_foot, the_boards, the_shaft, the_open_shaft, the_gallery, the_long_climb, the_chimney, the_roof)
+    level = Level("The Shaft", "Up by the walls: ladders, boards, and jumps from side to side.", order=4, par=80, silver=120, bronze=190, palette=PALETTE,
+                  far_towers=True, drawings={"side": "bricks", "rock": "bricks", "path": "bricks"},
+                  kill_y=-9, music="lively", sky="dusk", secret=False, stars_needed=0)
+    level.play(the_foot, the_boards, the_shaft, the_open_shaft, the_gallery, the_long_climb, the_chimney, the_pit,
+               the_watched_stair, the_roof)
     level.write()

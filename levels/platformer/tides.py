@@ -107,6 +107,27 @@ def the_old_bridge(k):
     k.go(32, up=0.6)
 
 
+def the_moles(k):
+    """Tested: a long swim against two moles, over the first or under it; coins show which is quicker."""
+    k.beat("The moles", "Over or under: dive in time.", eye=(-4.5, -2.5, 5), look=(14, 0, -1))
+    k.island(0, 8, 15, deep=9, chamfer=2)
+    k.palm(2.4, 5.4, tall=6)
+    k.palm(5.6, -5.4, tall=5)
+    k.rock(3, -5, size=0.9)
+    k.go(7.6)
+    pool(k, 0, 29, 11, 5.0)
+    k.wall(6.6, 7.6, 13.2, -2.3, 1.0, material="accent")
+    k.wall(14.0, 15.0, 13.2, -5.2, -1.9, material="accent")
+    k.coins(2.5, 6, 3, up=-1.0, up1=-3.2)
+    k.coins(8.2, 13, 4, up=-3.4, up1=-1.2)
+    k.coins(15.8, 20, 3, up=-1.0, up1=-2.2)
+    for a, x, size in ((4, -4.2, 1.1), (11, 4.2, 1.4), (18.5, -4.2, 1.2)):
+        k.rock(a, x, up=-5.0, size=size, material="side")
+    k.crystal(10.6, -4.2, size=1.4, up=-5.0)
+    k.way(0.6, (28.6, 0, 0), "swim")
+    k.go(28.9)
+
+
 def the_narrows(k):
     """Taught: the dash. Eight metres of water between two jetties; who falls short swims."""
     k.beat("The narrows", "Jump, jump again, dash.", eye=(-4, 1.5, 4.5), look=(12, 0, 0))
@@ -145,13 +166,40 @@ def the_teeth(k):
     k.palm(3, 5.4, tall=5)
     k.palm(14.5, 5, tall=6)
     k.coin_ring(11, 0, 3, 6)
-    k.checkpoint(15, "The well")
+    k.checkpoint(15, "The broken pier")
     k.column(11.5, 14.2, 1.6, up=0.4, deep=6)   # a star: a dash aside, and back
     k.star(11.5, 14.2, 1.5)
     k.go(17)
     k.way(-0.6, (7.7, 0, 0.2), "dash")
     k.coins(1.2, 6.0, 4, up=1.7, arc=1.4)
     k.go(7.0, up=0.2)
+
+
+def the_broken_pier(k):
+    """Twisted: what falls and what is too far, at once. A dash on to boards that will not wait, three times."""
+    k.beat("The broken pier", "Dash, land, run: the boards do not wait.", eye=(-4.5, 2.5, 5), look=(14, 0, 0))
+    k.island(0, 8, 14, deep=9, chamfer=2)
+    k.palm(2.4, -5, tall=5.5)
+    k.lamp(6.6, 3.2)
+    k.go(8)
+    edge, up = 0.0, 0.0
+    for i in range(2):
+        k.way(edge - 0.6, (edge + 7.8, 0, up + 0.1), "dash", up=up)
+        k.coins(edge + 1.2, edge + 6.0, 3, up=up + 1.7, arc=1.3)
+        edge += 7.0
+        k.slab(edge, edge + 2.4, 3.6, up=up + 0.1, thick=0.6, top="plank", trim="plank", body="dark wood")
+        k.crumble(edge + 2.7, edge + 5.7, 3.2, up=up + 0.1, delay=0.9)
+        k.crumble(edge + 8.0, edge + 11.0, 3.2, up=up + 0.4, delay=0.9)
+        k.coins(edge + 3.6, edge + 10, 3, up=up + 1.2, up1=up + 1.5, arc=0.5)
+        edge += 13.6
+        up += 0.6
+        k.column(edge + 1.8, 0, 2.0, up=up, deep=6)
+        edge += 3.6
+    k.go(edge + 2.6, up=up + 0.3)
+    k.island(0, 6, 12, deep=9, chamfer=2)
+    k.checkpoint(3, "The well")
+    k.palm(3.4, 4.4, tall=5)
+    k.go(6)
 
 
 def the_well(k):
@@ -212,7 +260,8 @@ def the_harbour(k):
 
 if __name__ == "__main__":
     palette = {**PALETTE, "plank": "#b98a5c"}
-    level = Level("Tides", "Swim, run over what falls, dash over the rest.", order=5, par=140, palette=palette, kill_y=-14,
+    level = Level("Tides", "Swim, run over what falls, dash over the rest.", order=5, par=105, silver=155, bronze=240, palette=palette, kill_y=-14,
                   music="calm", sky="day", secret=False, stars_needed=0)
-    level.play(the_lagoon, the_sluice, the_jetty, the_old_bridge, the_narrows, the_teeth, the_well, the_harbour)
+    level.play(the_lagoon, the_sluice, the_jetty, the_old_bridge, the_moles, the_narrows, the_teeth,
+               the_broken_pier, the_well, the_harbour)
     level.write()

@@ -43,7 +43,18 @@ TEST_P(PlatformerLevel, tells_what_it_is) {
     EXPECT_GE(level->count(PickupKind::coin), 30);
     EXPECT_GE(level->beats.size(), 6u);
     EXPECT_GE(level->checkpoints.size(), 4u);
-    EXPECT_LE(level->ground.triangle_count(), 12'000u);
+    EXPECT_LE(level->ground.triangle_count() + level->decor.triangle_count(), 12'000u);
+}
+
+TEST_P(PlatformerLevel, has_something_that_shines_and_ground_with_a_drawing_on_it) {
+    EXPECT_TRUE(std::ranges::any_of(level->materials, [](const Material& m) { return m.glow >= 0.5; }));
+    EXPECT_TRUE(std::ranges::any_of(level->materials, [](const Material& m) { return m.drawing == Drawing::patches; }));
+}
+
+TEST_P(PlatformerLevel, has_medals_for_a_first_run_of_two_to_six_minutes) {
+    EXPECT_GE(level->medals.gold, 60);
+    EXPECT_GE(level->medals.bronze, 180);
+    EXPECT_LE(level->medals.bronze, 420);
 }
 
 TEST_P(PlatformerLevel, lets_the_hero_stand_at_the_start_unharmed) {

@@ -37,7 +37,8 @@ void Builder::add(const Frame& frame, const dvec3& at, const dvec3& radii, Colou
     Piece p = piece(frame, at, radii, colour, solid, turn);
     p.glow = look_.is_ghost ? 0.5F : glow;
     if (look_.opacity < 1) p.colour = view::with_opacity(colour, look_.opacity);
-    p.casts_shadow = !look_.is_ghost && look_.opacity >= 1;
+    // The shade straight below says where it will land; a shadow aside of it, from the sun, would say something else.
+    p.casts_shadow = false;
     pieces_.push_back(p);
 }
 

@@ -125,6 +125,10 @@ void draw_goal(Renderer& renderer, const dvec3& place, const PropMoment& moment,
         dmat3(1), 1);
     const double bob = moment.calm ? 0 : 0.12 * std::sin(moment.clock * 2);
     draw_star(renderer, place + dvec3(0, 1.75 + bob, 0), {moment.clock, 1, true});
+    renderer.disc({.place = place + dvec3(0, 1.6, 0),
+                   .radius = radius * 2.2,
+                   .colour = view::with_opacity(colour, 0.30),
+                   .is_light = true});
 }
 
 void draw_bullet(Renderer& renderer, const dvec3& place, const dvec3& velocity, double radius) {
@@ -152,14 +156,11 @@ void draw_ground_shade(Renderer& renderer, const World& world, const dvec3& sole
     const double height = std::max(hit->t * (reach + 0.35) - 0.35, 0.0);
     // Farther below it is paler, but never gone: it says where one lands.
     const double share = height / reach;
-    const dvec3 up = hit->normal;
-    const dvec3 side = glm::normalize(glm::cross(up, dvec3(0, 0, 1)));
-    const Frame frame{dmat3(side, up, glm::cross(side, up)), hit->point + up * 0.02};
-    for (const double ring : {1.0, 0.72}) {
-        const double width = radius * ring * (1 - 0.3 * share);
-        put(renderer, frame, {0, 0, 0}, {width, 0.006, width}, rgb(0x0A1018, 0.24 * (1 - 0.5 * share)), Solid::drum,
-            dmat3(1), 1);
-    }
+    renderer.disc({.place = hit->point + hit->normal * 0.02,
+                   .radius = radius * (1.25 - 0.3 * share),
+                   .normal = hit->normal,
+                   .colour = rgb(0x0A1018, 0.62 * (1 - 0.45 * share)),
+                   .core = 0.25});
 }
 
 }  // namespace surefoot::platformer

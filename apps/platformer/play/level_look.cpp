@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace surefoot::platformer {
 namespace {
@@ -16,9 +17,57 @@ view::Colour colour_of(const game::Level& level, std::uint32_t surface) {
         surface, surface < level.materials.size() ? std::string_view(level.materials[surface].name) : "");
 }
 
+view::Finish finish_of(const game::Level& level, std::uint32_t surface) {
+    if (surface >= level.materials.size()) return colour_of(level, surface);
+    const game::Material& material = level.materials[surface];
+    // The two lists of drawings are the same words.
+    return {colour_of(level, surface), material.glow, static_cast<view::Pattern>(material.drawing)};
+}
+
 std::shared_ptr<const view::Model> model_of(const game::Level& level, const Mesh& mesh) {
     if (mesh.triangle_count() == 0) return nullptr;
-    return view::Model::make(mesh, [&](const SourceTriangle& triangle) { return colour_of(level, triangle.surface); });
+    return view::Model::make(mesh, [&](const SourceTriangle& triangle) { return finish_of(level, triangle.surface); });
+}
+
+/// A plain tint, for it covers much of the picture: the surface, and the sides for who looks out of it; and glints
+/// that wander over the surface.
+void draw_water(view::Renderer& renderer, const game::Zone& water, double seconds) {
+    const auto at = [&](double x, double y, double z) {
+        const dvec3 p = dvec3(x, y, z) * water.half;
+        const dquat& q = water.orientation;
+        const dvec3 v(q.x, q.y, q.z);
+        const dvec3 t = 2.0 * glm::cross(v, p);
+        return water.middle + p + q.w * t + glm::cross(v, t);
+    };
+    const auto face = [&](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, view::Colour colour) {
+        renderer.triangle(a, b, c, colour);
+        renderer.triangle(a, c, d, colour);
+    };
+    const view::Colour side = view::rgb(0x1F86C4, 0.22);
+    for (const int turn : {-1, 1}) {
+        face(at(turn, -1, -1), at(turn, 1, -1), at(turn, 1, 1), at(turn, -1, 1), side);
+        face(at(-1, -1, turn), at(-1, 1, turn), at(1, 1, turn), at(1, -1, turn), side);
+    }
+    face(at(-1, 1, -1), at(-1, 1, 1), at(1, 1, 1), at(1, 1, -1), view::rgb(0x2FA3DC, 0.50));
+    const int across = std::clamp(int(water.half.x / 1.6), 1, 12);
+    const int along = std::clamp(int(water.half.z / 1.6), 1, 12);
+    for (int i = 0; i < across; ++i)
+        for (int k = 0; k < along; ++k) {
+            const double own = 2.4 * i + 1.7 * k + 0.9 * ((i * 7 + k * 3) % 5);
+            const double wave = std::sin(seconds * 1.3 + own);
+            if (wave <= 0) continue;
+            const double x = (i + 0.5 + 0.3 * std::sin(own)) / across;
+            const double z = (k + 0.5 + 0.3 * std::cos(own + seconds * 0.2)) / along;
+            renderer.disc({.place = at(2 * x - 1, 1, 2 * z - 1) + dvec3(0, 0.01, 0),
+                           .radius = 0.35 + 0.35 * wave,
+                           .normal = {0, 1, 0},
+                           .colour = view::rgb(0xD8F4FF, 0.22 * wave),
+                           .is_light = true});
+        }
+}
+
+Bounds box_of(const game::Level& level) {
+    return level.ground.triangle_count() > 0 ? level.ground.bounds() : Bounds{level.goal - 10.0, level.goal + 10.0};
 }
 
 // A body that is about to crumble trembles, and a door that opens slides up out of sight.
@@ -35,51 +84,18 @@ Pose drawn_pose(const game::MovingBody& body, const game::BodyPlan& plan, double
 
 }  // namespace
 
-view::Sky sky_of(const std::string& name) {
-    view::Sky sky;
-    sky.shadow_radius = 60;
-    sky.fog_distance = 260;
-    // Softer than noon, so that snow and sand keep their drawing, and bluer.
-    sky.sun = {0.90F, 0.82F, 0.69F};
-    sky.above = {0.31F, 0.38F, 0.48F};
-    sky.zenith = {0.08F, 0.30F, 0.66F};
-    sky.horizon = {0.56F, 0.75F, 0.88F};
-    sky.nadir = {0.40F, 0.58F, 0.72F};
-    if (name == "dusk") {
-        sky.towards_sun = {0.78, 0.38, 0.5};
-        sky.sun = {1.15F, 0.72F, 0.45F};
-        sky.above = {0.36F, 0.34F, 0.48F};
-        sky.zenith = {0.13F, 0.15F, 0.34F};
-        sky.horizon = {0.82F, 0.48F, 0.34F};
-        sky.nadir = {0.34F, 0.28F, 0.34F};
-    } else if (name == "night") {
-        sky.towards_sun = {-0.35, 0.86, 0.38};
-        sky.sun = {0.42F, 0.52F, 0.78F};
-        sky.above = {0.20F, 0.24F, 0.40F};
-        sky.below = {0.10F, 0.10F, 0.16F};
-        sky.zenith = {0.012F, 0.02F, 0.07F};
-        sky.horizon = {0.07F, 0.10F, 0.22F};
-        sky.nadir = {0.03F, 0.04F, 0.10F};
-        sky.fog_distance = 160;
-    } else if (name == "cave") {
-        sky.towards_sun = {0.2, 0.95, 0.25};
-        sky.sun = {0.70F, 0.64F, 0.56F};
-        sky.above = {0.30F, 0.32F, 0.38F};
-        sky.below = {0.20F, 0.17F, 0.16F};
-        sky.zenith = {0.035F, 0.05F, 0.07F};
-        sky.horizon = {0.12F, 0.16F, 0.19F};
-        sky.nadir = {0.06F, 0.07F, 0.09F};
-        sky.fog_distance = 120;
-    }
-    return sky;
-}
-
 LevelLook::LevelLook(const game::Level& level)
-    : level_(level), ground_(model_of(level, level.ground)), decor_(model_of(level, level.decor)) {
+    : level_(level),
+      sky_(level.sky, box_of(level), level.kill_y),
+      ground_(model_of(level, level.ground)),
+      decor_(model_of(level, level.decor)),
+      halos_(halos_of(level)) {
     for (const game::BodyPlan& plan : level.bodies) bodies_.push_back(model_of(level, plan.mesh));
 }
 
 void LevelLook::draw(view::Renderer& renderer, const game::Game& game, double blend) const {
+    sky_.draw(renderer, game.seconds());
+    draw_halos(renderer, halos_, sky_.darkness());
     const view::ModelLook still{};
     const view::ModelLook moving{.moves = true};
     if (ground_) renderer.model(ground_, still);
@@ -89,9 +105,7 @@ void LevelLook::draw(view::Renderer& renderer, const game::Game& game, double bl
         const bool is_seen = body.is_there || body.phase == game::MovingBody::Phase::opens;
         if (is_seen && bodies_[body.plan]) renderer.model(bodies_[body.plan], moving, drawn_pose(body, plan, blend));
     }
-    for (const game::Zone& water : level_.waters)
-        renderer.shape(Volume{Box{water.half}, water.orientation}, water.middle,
-                       {.colour = view::rgb(0x2F9BD6), .opacity = 0.38, .outline = 0, .casts_shadow = false});
+    for (const game::Zone& water : level_.waters) draw_water(renderer, water, game.seconds());
 }
 
 }  // namespace surefoot::platformer

@@ -149,7 +149,6 @@ view::ScreenDoor Run::door(double blend) const {
 }
 
 void Run::draw(view::Renderer& renderer, double blend, bool shows_volume) const {
-    renderer.sky = sky_of(plan_.level->sky);
     look_.draw(renderer, *game_, blend);
     actors_->draw(renderer, *game_, blend);
     const HeroPose now = between(pose_before_, pose_, blend);

@@ -32,18 +32,28 @@ COMMON = {
     "coin door": dict(colour="#d9a92e"), "coin door trim": dict(colour="#8a6a1c"),
     "beacon": dict(colour="#fff3c4", glow=0.8),
     "lamp": dict(colour="#ffdf9a", glow=0.9),
+    "window": dict(colour="#ffcf7d", glow=0.75),
     "dark": dict(colour="#2c2f3a"),
+}
+# What is drawn on a material; a level may say otherwise.
+DRAWINGS = {
+    "top": "patches", "path": "patches", "side": "strata", "rock": "strata", "wood": "boards", "dark wood": "boards",
+    "one way": "boards", "crumble": "boards", "crumble side": "boards", "plank": "boards", "trunk": "boards",
 }
 
 
 class Level(Pieces, Scenery, Things):
     """`palette` names the colours of the level's own materials: top, trim, side, rock, path, accent, leaf, light leaf,
-    trunk, far, far top, machine, machine trim."""
+    trunk, far, far top, machine, machine trim. `drawings` says where they are not drawn on as usual."""
 
-    def __init__(self, title, idea, order, par, palette, far_towers=False, **extras):
+    def __init__(self, title, idea, order, par, palette, far_towers=False, drawings=(), **extras):
         bpy.ops.wm.read_factory_settings(use_empty=True)
         self.materials = {**COMMON, **{role: value if isinstance(value, dict) else dict(colour=value)
                                        for role, value in palette.items()}}
+        self.materials.setdefault("crystal", dict(self.materials["accent"], glow=0.45))
+        for role, drawing in {**DRAWINGS, **dict(drawings)}.items():
+            if role in self.materials and drawing != "none":
+                self.materials[role] = dict(self.materials[role], drawing=drawing)
         self.frame = Frame()
         self.dice = random.Random(order)
         self.count = {}

@@ -50,7 +50,10 @@ class Pieces:
                         top=material)
 
     def belt(self, along0, along1, width, speed, shift=0.0, up=0.0):
-        """A conveyor on the ground: `speed` [m/s] along the way, or against it if negative. Arrows are only drawn."""
+        """A conveyor on the ground: `speed` [m/s] along the way, or against it if negative. Arrows are only drawn.
+
+        Its kerbs are low and lean by 45 degrees: on a steeper one somebody would neither stand nor be carried on.
+        """
         run = file_axes(self.frame.turn(speed))
         name = f"belt {len([n for n in self.materials if n.startswith('belt')]) + 1}"
         same = [n for n, m in self.materials.items() if n.startswith("belt") and m.get("conveyor") == run]
@@ -59,7 +62,7 @@ class Pieces:
         self.patch(along0, along1, width, shift, up, material=same[0] if same else name, chamfer=0.1)
         for edge in (-1, 1):
             here = self.frame.moved((along0 + along1) / 2, shift + edge * (width / 2 + 0.12), up)
-            self.still.loft(here, rectangle(0.24, along1 - along0 + 0.1), [(0.16, 0.05), (0.1, 0), (-0.1, 0)], ["machine trim"] * 2, top="machine trim")
+            self.still.loft(here, rectangle(0.24, along1 - along0 + 0.1), [(0.12, 0.10), (0.02, 0), (-0.1, 0)], ["machine trim"] * 2, top="machine trim")
         count = max(1, int((along1 - along0) / 1.6))
         point = 0.35 if speed > 0 else -0.35
         for i in range(count):

@@ -109,7 +109,7 @@ class Scenery:
             self.decor.face("accent", at(k, thick), at(k + 1, thick), at(k + 1, thick + 0.12), at(k, thick + 0.12))
         self.decor.face("accent", *[at(k, thick + 0.12) for k in range(n)])
 
-    def crystal(self, along, across, up=0.0, size=1.2, material="accent"):
+    def crystal(self, along, across, up=0.0, size=1.2, material="crystal"):
         here = self.frame.moved(along, across, up)
         for _ in range(3):
             lean = (self.dice.uniform(-0.4, 0.4) * size, self.dice.uniform(-0.4, 0.4) * size)
@@ -118,7 +118,7 @@ class Scenery:
             self.decor.loft(here.moved(lean[1] * 0.4, lean[0] * 0.4), ring(thin, 5), [(tall, thin, lean), (tall * 0.7, 0, (lean[0] * 0.7, lean[1] * 0.7)), (-0.1, thin * 0.3)],
                             [material, material])
 
-    def horizon(self, low, high, count=9):
+    def horizon(self, low, high, count=8):
         """Pale islands out of reach, all around the box of the level (x, y, z of its corners)."""
         middle = [(a + b) / 2 for a, b in zip(low, high)]
         for i in range(count):
@@ -128,7 +128,7 @@ class Scenery:
             self.far_island(Frame(x, y, low[2] + self.dice.uniform(0.1, 0.9) * (high[2] - low[2]) - 3, self.dice.uniform(0, 90)), radius)
 
     def far_island(self, here, radius):
-        self.decor.loft(here, ring(radius, 9), [(0, 0.12 * radius), (-0.06 * radius, 0), (-0.5 * radius, 0.25 * radius), (-1.2 * radius, 0.8 * radius)],
+        self.decor.loft(here, ring(radius, 8), [(0, 0.12 * radius), (-0.06 * radius, 0), (-0.5 * radius, 0.25 * radius), (-1.2 * radius, 0.8 * radius)],
                         ["far top", "far", "far"], top="far top", bottom="far")
         for _ in range(3):
             spot = here.moved(self.dice.uniform(-0.5, 0.5) * radius, self.dice.uniform(-0.5, 0.5) * radius)
