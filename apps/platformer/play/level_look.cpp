@@ -94,8 +94,6 @@ LevelLook::LevelLook(const game::Level& level)
 }
 
 void LevelLook::draw(view::Renderer& renderer, const game::Game& game, double blend) const {
-    sky_.draw(renderer, game.seconds());
-    draw_halos(renderer, halos_, sky_.darkness());
     const view::ModelLook still{};
     const view::ModelLook moving{.moves = true};
     if (ground_) renderer.model(ground_, still);
@@ -105,6 +103,8 @@ void LevelLook::draw(view::Renderer& renderer, const game::Game& game, double bl
         const bool is_seen = body.is_there || body.phase == game::MovingBody::Phase::opens;
         if (is_seen && bodies_[body.plan]) renderer.model(bodies_[body.plan], moving, drawn_pose(body, plan, blend));
     }
+    sky_.draw(renderer, game.seconds());  // behind all that: it need not be drawn where that is
+    draw_halos(renderer, halos_, sky_.darkness());
     for (const game::Zone& water : level_.waters) draw_water(renderer, water, game.seconds());
 }
 
