@@ -103,7 +103,9 @@ void App::go_to(std::string_view room) {
 
 void App::play(view::Script script) {
     quit_ = false;
-    player_.emplace(std::move(script), [](std::string_view label) { return view::ui::find_item(label); });
+    player_.emplace(
+        std::move(script), [](std::string_view label) { return view::ui::find_item(label); },
+        [this](std::string_view moment) { return room_ && room_->has_come_to(moment); });
 }
 
 void App::fail(ExitCode code, const std::string& text) {

@@ -62,6 +62,15 @@ public:
     void draw(view::Renderer&) override { theatre_->draw(stage_->waiting / tick); }
     void draw_over(unsigned framebuffer) override { theatre_->draw_over(framebuffer); }
     void ui() override {}
+    /// Sections of the level by name, and "won" and "lost".
+    [[nodiscard]] bool has_come_to(std::string_view moment) const override {
+        const platformer::Run* const run = theatre_->run();
+        if (run == nullptr) return false;
+        const game::Game& game = run->game();
+        if (moment == "won") return game.outcome() == game::Outcome::won;
+        if (moment == "lost") return game.outcome() == game::Outcome::lost;
+        return game.level().checkpoints[game.checkpoint()].section == moment;
+    }
     [[nodiscard]] double lower_edge() const override { return theatre_->lower_edge(); }
     [[nodiscard]] bool wants_quit() const override { return theatre_->wants_quit(); }
 

@@ -86,6 +86,9 @@ public:
     /// So much at the window's lower edge is the room's own: messages stand above it [window units].
     [[nodiscard]] virtual double lower_edge() const { return 0; }
 
+    /// Has it come to the moment of this name? For scripts that wait for one.
+    [[nodiscard]] virtual bool has_come_to(std::string_view /*moment*/) const { return false; }
+
     /// The user has had enough of the program.
     [[nodiscard]] virtual bool wants_quit() const { return false; }
 
