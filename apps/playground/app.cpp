@@ -116,10 +116,13 @@ void App::go_to(std::string_view room) {
 
 void App::play(view::Script script) {
     quit_ = false;
-    player_.emplace(std::move(script), [this](std::string_view label) {
-        const auto widget = view::ui::find_item(label);
-        return widget ? widget : room_->place_of(label);
-    });
+    player_.emplace(
+        std::move(script),
+        [this](std::string_view label) {
+            const auto widget = view::ui::find_item(label);
+            return widget ? widget : room_->place_of(label);
+        },
+        [this](std::string_view moment) { return room_ && room_->has_come_to(moment); });
 }
 
 void App::fail(ExitCode code, const std::string& text) {

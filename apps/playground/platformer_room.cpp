@@ -82,6 +82,16 @@ public:
     [[nodiscard]] std::vector<std::string> labels() const override { return theatre_->labels(); }
     [[nodiscard]] std::string failure() const override { return theatre_->failure(); }
     [[nodiscard]] Expected<void> keep() override { return theatre_->keep(); }
+    /// Sections of the level by name, and "won" and "lost".
+    [[nodiscard]] bool has_come_to(std::string_view moment) const override {
+        const platformer::Run* const run = theatre_->run();
+        if (run == nullptr) return false;
+        const game::Game& game = run->game();
+        if (moment == "won") return game.outcome() == game::Outcome::won;
+        if (moment == "lost") return game.outcome() == game::Outcome::lost;
+        return game.level().checkpoints[game.checkpoint()].section == moment;
+    }
+    [[nodiscard]] double lower_edge() const override { return theatre_->lower_edge(); }
     [[nodiscard]] bool wants_quit() const override { return theatre_->wants_quit(); }
 
 private:

@@ -102,6 +102,9 @@ public:
     /// What the room keeps when the program ends. Fails with `write_failed`.
     [[nodiscard]] virtual Expected<void> keep() { return {}; }
 
+    /// Has it come to the moment of this name? For scripts that wait for one.
+    [[nodiscard]] virtual bool has_come_to(std::string_view /*moment*/) const { return false; }
+
     /// The user has had enough of the program.
     [[nodiscard]] virtual bool wants_quit() const { return false; }
 

@@ -109,6 +109,23 @@ TEST(Script, a_label_is_pressed_where_it_is_and_one_that_never_comes_is_an_error
     EXPECT_EQ(text, "tour.txt:2: no widget is called \"Stop\"");
 }
 
+TEST(Script, a_moment_is_waited_for_as_long_as_it_takes_but_not_for_ever) {
+    bool come = false;
+    ScriptPlayer p(*parse_script("await The old tower\nmove 1 1", "tour.txt"), {},
+                   [&](std::string_view moment) { return come && moment == "The old tower"; });
+    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(p.next()->events.empty());
+    come = true;
+    EXPECT_EQ(p.next()->events.size(), 1U);
+    ScriptPlayer never = player("wait 1\nawait Godot");
+    std::string text;
+    for (int i = 0; i < 20000 && text.empty(); ++i) {
+        const auto frame = never.next();
+        if (!frame) text = frame.error().text;
+    }
+    EXPECT_EQ(text, "tour.txt:2: the moment \"Godot\" does not come");
+    EXPECT_EQ(error_of("await"), "tour.txt:1: write: await MOMENT");
+}
+
 TEST(Script, what_follows_a_screenshot_happens_in_the_next_frame) {
     ScriptPlayer p = player("screenshot a.png\nmove 5 5");
     const auto first = p.next();

@@ -96,6 +96,7 @@ public:
         const std::string& verb = words_.all[0];
         if (verb == "frame") return counted(Kind::frame, "frame NUMBER");
         if (verb == "wait") return counted(Kind::wait, "wait FRAMES");
+        if (verb == "await") return words_.rest.empty() ? "write: await MOMENT" : told(Kind::await);
         if (verb == "move") return places(Kind::move, 1, false, "move X Y");
         if (verb == "press" || verb == "release") {
             command_.kind = verb == "press" ? Kind::press : Kind::release;

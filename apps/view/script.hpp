@@ -4,6 +4,7 @@
 ///
 ///     frame 10                 waits until frame 10 (the first is 0); what follows happens there
 ///     wait 5                   waits five frames
+///     await The stones         waits until what is shown has come to a moment that it knows by this name
 ///     move 640 360             moves the pointer
 ///     press left               presses a mouse button: left, right or middle
 ///     release left
@@ -41,6 +42,7 @@ struct ScriptCommand {
     enum class Kind : std::uint8_t {
         frame,
         wait,
+        await,
         move,
         press,
         release,
@@ -95,7 +97,10 @@ public:
     /// Where the widget with a label is, if there is one.
     using FindLabel = std::function<std::optional<dvec2>(std::string_view label)>;
 
-    ScriptPlayer(Script script, FindLabel find);
+    /// Has what is shown come to the moment of this name?
+    using HasCome = std::function<bool(std::string_view moment)>;
+
+    ScriptPlayer(Script script, FindLabel find, HasCome has_come = {});
 
     /// What one frame holds.
     struct Frame {
@@ -105,7 +110,8 @@ public:
         bool quit = false;
     };
 
-    /// Fails with `not_found` for a label that has not appeared for a second; the text names file and line.
+    /// Fails with `not_found` for a label that has not appeared for a second, or a moment that has not come for three
+    /// minutes; the text names file and line.
     [[nodiscard]] Expected<Frame> next();
 
     /// Has everything happened?
@@ -119,6 +125,7 @@ private:
 
     Script script_;
     FindLabel find_;
+    HasCome has_come_;
     std::size_t at_ = 0;
     int frame_ = -1;
     int spent_ = 0;  // frames on the command at hand

@@ -8,11 +8,13 @@ namespace {
 
 using Kind = ScriptCommand::Kind;
 
-constexpr int patience = 60;  // frames that a label may take to appear
+constexpr int patience = 60;            // frames that a label may take to appear
+constexpr int long_patience = 60 * 180;  // and a moment to come
 
 }  // namespace
 
-ScriptPlayer::ScriptPlayer(Script script, FindLabel find) : script_(std::move(script)), find_(std::move(find)) {}
+ScriptPlayer::ScriptPlayer(Script script, FindLabel find, HasCome has_come)
+    : script_(std::move(script)), find_(std::move(find)), has_come_(std::move(has_come)) {}
 
 void ScriptPlayer::move_to(const dvec2& at, Frame& frame) {
     frame.events.emplace_back(PointerMove{at, at - pointer_, held_});
@@ -44,6 +46,8 @@ bool ScriptPlayer::step(const ScriptCommand& c, Frame& frame) {
             return frame_ >= c.count;
         case Kind::wait:
             return spent >= c.count;
+        case Kind::await:
+            return has_come_ && has_come_(c.text);
         case Kind::move:
             move_to(c.to, frame);
             return true;
@@ -126,6 +130,11 @@ Expected<ScriptPlayer::Frame> ScriptPlayer::next() {
             }
             command.to = *place;
         }
+        if (command.kind == Kind::await && spent_ > long_patience)
+            return tl::unexpected(Error{ErrorCode::not_found,
+                                        script_.name + ":" + std::to_string(command.line) + ": the moment \"" +
+                                            command.text + "\" does not come",
+                                        script_.name, 0});
         // What waits has its frame looked at again; what does something ends with the frame that it did it in.
         if (!step(command, frame)) return frame;
         const bool pictured = command.kind == Kind::screenshot;
