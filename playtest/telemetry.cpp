@@ -143,7 +143,7 @@ void Observer::watch_jump(const game::Game& game) {
 }
 
 // To press against a wall for two seconds is not to be stuck; to press in other directions, too, and to come back to
-// the same place from every jump is.
+// the same place from every jump is. Nor is who hangs on an edge, as long as they have not tried to let go of it.
 void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game) {
     const dvec3 wish = dvec3{double(input.move_x), 0, double(input.move_z)} * game::run_speed;
     const bool in_air = game.hero().body.footing == Footing::air && !game.hero().in_water;
@@ -152,7 +152,9 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
         stuck_wish_ = wish;
         wishes_for_ = 0;
         turned_for_ = 0;
+        lets_go_ = false;
     }
+    lets_go_ = lets_go_ || holds(input, game::Button::crouch);
     if (length(wish) <= wants_to_go || game.outcome() != game::Outcome::playing) {
         if (length(wish) <= wants_to_go && wishes_for_ > 0 && turned_for_ > 0) return;  // a pause for breath in a pit
         wishes_for_ = 0;
@@ -162,7 +164,8 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
     // The other way, and for as long as it takes to get away.
     turned_for_ += dot(unit(wish), unit(stuck_wish_)) < 0 ? 1 : 0;
     const bool turned = turned_for_ > gets_away_in;
-    if (in_air || wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
+    const bool hangs = game.hero().body.footing == Footing::ledge && !lets_go_;
+    if (in_air || hangs || wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;

@@ -83,6 +83,7 @@ private:
     dvec3 stuck_wish_{0, 0, 0};
     int wishes_for_ = 0;             ///< ticks
     int turned_for_ = 0;             ///< it has tried the other way for so many ticks
+    bool lets_go_ = false;           ///< it has held crouch since it wanted to go
     std::uint64_t quiet_until_ = 0;  ///< of the same kind of trouble, so that one place is one incident
     std::uint8_t buttons_ = 0;
 };

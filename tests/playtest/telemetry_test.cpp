@@ -47,6 +47,38 @@ TEST(Telemetry, says_of_nobody_who_leans_against_a_wall_for_a_while_that_they_ar
     EXPECT_EQ(run->telemetry.count(Incident::Kind::stuck), 0U);
 }
 
+// Jumps at an edge that is too low to climb over, and presses on.
+class Hanger final : public Bot {
+public:
+    game::HeroInput decide(const game::Game& game) override {
+        game::HeroInput input{.move_z = -1};
+        hangs_ = hangs_ || game.hero().body.footing == Footing::ledge;
+        if (!hangs_ && game.feet().z < -2.5) press(input, game::Button::jump);
+        return input;
+    }
+    const std::string& gave_up() const override { return never_; }
+    std::string name() const override { return "hanger"; }
+
+private:
+    bool hangs_ = false;
+    std::string never_;
+};
+
+TEST(Telemetry, says_of_nobody_who_hangs_on_an_edge_and_has_not_let_go_that_they_are_stuck) {
+    test::LevelMaker maker;
+    maker.box({-3, 0, -8}, {3, 2.4, -4});
+    maker.box({-3, 2.8, -8}, {3, 4, -4.0});
+    const auto level = maker.finish();
+    Hanger bot;
+    const auto run = play(level, bot, {.most_seconds = 10});
+    ASSERT_TRUE(run);
+    const auto game = *game::start_of(level, run->recording);
+    game::Player player(run->recording);
+    while (player.tick(*game)) continue;
+    ASSERT_EQ(game->hero().body.footing, Footing::ledge) << "it still hangs there";
+    EXPECT_EQ(run->telemetry.count(Incident::Kind::stuck), 0U);
+}
+
 TEST(Telemetry, counts_deaths_by_section_and_failed_jumps) {
     test::LevelMaker maker;
     maker.clear();
