@@ -91,7 +91,6 @@ public:
         if (moment == "lost") return game.outcome() == game::Outcome::lost;
         return game.level().checkpoints[game.checkpoint()].section == moment;
     }
-    [[nodiscard]] double lower_edge() const override { return theatre_->lower_edge(); }
     [[nodiscard]] bool wants_quit() const override { return theatre_->wants_quit(); }
 
 private:

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = ScriptCommand::Kind;
 
-constexpr int patience = 60;            // frames that a label may take to appear
+constexpr int patience = 60;             // frames that a label may take to appear
 constexpr int long_patience = 60 * 180;  // and a moment to come
 
 }  // namespace
