@@ -152,13 +152,18 @@ Report make_report(std::span<const Findings> levels, std::span<const Session> se
                                              fmt::format("{} of {}", of.navigators_won(), of.navigators()))
                                    : verdict(false, "unreachable"),
             of.count(Incident::Kind::death),
-            verdict(of.is_fine(), of.is_fine() ? "nothing" : fmt::format("{} incidents", looks)));
+            verdict(of.is_fine(),
+                    of.is_fine() ? of.runs.empty() ? "not played" : "nothing" : fmt::format("{} incidents", looks)));
     }
     out += "</table>\n";
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const Findings& of = levels[i];
         out += fmt::format("<h2 id=\"{}\">{}</h2>\n<p>{}</p>\n", escaped(of.level->id), escaped(of.level->title),
                            escaped(of.level->idea));
+        if (of.runs.empty() && of.unreachable.empty()) {
+            out += "<p>Nobody has played it.</p>\n";
+            continue;
+        }
         add_summary(out, of);
         add_sections(out, of);
         const PlanFrame frame = plan_frame(*of.level);

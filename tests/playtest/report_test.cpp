@@ -90,6 +90,15 @@ TEST(Report, holds_the_replay_of_each_incident_that_plays_to_the_same_end) {
         EXPECT_NE(page.find("<a id=\"" + id + "\""), std::string::npos) << id;
 }
 
+TEST(Report, says_of_a_level_that_nobody_played_just_that) {
+    const Findings nobody{.level = pits().front().level};
+    const std::string page = make_report({&nobody, 1}, {}, "files").html;
+    EXPECT_NE(page.find("Nobody has played it."), std::string::npos);
+    EXPECT_EQ(page.find("nobody dies anywhere"), std::string::npos);
+    EXPECT_EQ(page.find("Never taken"), std::string::npos);
+    EXPECT_NE(report_of_pits().html.find("Never taken"), std::string::npos);
+}
+
 TEST(Report, holds_the_step_of_a_stuck_moment) {
     const auto steps = test::all_between(report_of_pits().html, "<a id=\"step-", "</a>");
     ASSERT_FALSE(steps.empty());

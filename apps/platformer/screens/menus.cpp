@@ -182,7 +182,8 @@ Menu Screens::menu() const {
             menu.title = "Levels";
             int stars = 0;
             for (const LevelCard& level : levels_) stars += level.stars;
-            menu.subtitle = levels_.empty() ? "No levels were found." : fmt::format("{} stars", stars);
+            menu.subtitle =
+                levels_.empty() ? "No levels were found." : fmt::format("{} {}", stars, stars == 1 ? "star" : "stars");
             menu.columns = layout_.size().x < 700 ? 2 : 3;
             int column = 0;
             for (std::size_t i = 0; i < levels_.size(); ++i) {
