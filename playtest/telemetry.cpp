@@ -18,6 +18,7 @@ constexpr double wants_to_go = 2;             // m/s
 constexpr double gets_nowhere = 0.3;          // m
 constexpr int stuck_for = 120;                // ticks
 constexpr int stuck_in_one_direction = 300;   // ticks
+constexpr int stands_for = 30;                // of them, ticks
 constexpr int gets_away_in = 30;              // ticks
 constexpr double escaped_by = 2;              // outside of the level's box [m]
 constexpr double looks_far = 25;              // m
@@ -143,7 +144,8 @@ void Observer::watch_jump(const game::Game& game) {
 }
 
 // To press against a wall for two seconds is not to be stuck; to press in other directions, too, and to come back to
-// the same place from every jump is. Nor is who hangs on an edge, as long as they have not tried to let go of it.
+// the same place from every jump is. Nor is who hangs on an edge, as long as they have not tried to let go of it. Nor
+// is who slid down a shaft to where they began and goes elsewhere from there: some of the time they have to stand.
 void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game) {
     const dvec3 wish = dvec3{double(input.move_x), 0, double(input.move_z)} * game::run_speed;
     const bool in_air = game.hero().body.footing == Footing::air && !game.hero().in_water;
@@ -153,6 +155,7 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
         wishes_for_ = 0;
         turned_for_ = 0;
         lets_go_ = false;
+        stood_for_ = 0;
     }
     lets_go_ = lets_go_ || holds(input, game::Button::crouch);
     if (length(wish) <= wants_to_go || game.outcome() != game::Outcome::playing) {
@@ -165,7 +168,9 @@ void Observer::watch_stuck(const game::HeroInput& input, const game::Game& game)
     turned_for_ += dot(unit(wish), unit(stuck_wish_)) < 0 ? 1 : 0;
     const bool turned = turned_for_ > gets_away_in;
     const bool hangs = game.hero().body.footing == Footing::ledge && !lets_go_;
-    if (in_air || hangs || wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
+    if (!in_air) ++stood_for_;
+    if (in_air || hangs || stood_for_ < stands_for) return;
+    if (wishes_for_ < (turned ? stuck_for : stuck_in_one_direction)) return;
     wishes_for_ = 0;
     add(Incident::Kind::stuck, game);
     if (told_.count(Incident::Kind::stuck) > most_captures) return;

@@ -82,6 +82,7 @@ private:
     dvec3 stuck_from_{0, 0, 0};
     dvec3 stuck_wish_{0, 0, 0};
     int wishes_for_ = 0;             ///< ticks
+    int stood_for_ = 0;              ///< of these, on something
     int turned_for_ = 0;             ///< it has tried the other way for so many ticks
     bool lets_go_ = false;           ///< it has held crouch since it wanted to go
     std::uint64_t quiet_until_ = 0;  ///< of the same kind of trouble, so that one place is one incident

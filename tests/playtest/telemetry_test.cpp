@@ -79,6 +79,42 @@ TEST(Telemetry, says_of_nobody_who_hangs_on_an_edge_and_has_not_let_go_that_they
     EXPECT_EQ(run->telemetry.count(Incident::Kind::stuck), 0U);
 }
 
+// From wall to wall up a shaft for four seconds, down again at the one where it began, and off to the other.
+class Climber final : public Bot {
+public:
+    game::HeroInput decide(const game::Game& game) override {
+        const int i = int(game.ticks());
+        const bool is_down = i > 250 && game.hero().body.footing == Footing::ground;
+        leaves_ = leaves_ || is_down;
+        const bool right = !leaves_ && (i >= 240 || i / 30 % 2 == 0);
+        game::HeroInput input{.move_x = right ? 1.0F : -1.0F};
+        if (i > 16 && i < 240 && i % 30 > 4 && i % 30 < 22) press(input, game::Button::jump);
+        highest = std::max(highest, game.feet().y);
+        return input;
+    }
+    const std::string& gave_up() const override { return never_; }
+    std::string name() const override { return "climber"; }
+
+    double highest = 0;
+
+private:
+    bool leaves_ = false;
+    std::string never_;
+};
+
+TEST(Telemetry, says_of_nobody_who_climbs_a_shaft_off_its_walls_and_slides_down_again_that_they_are_stuck) {
+    test::LevelMaker maker;
+    maker.box({-3, 0, -3}, {-1.2, 12, 3});
+    maker.box({1.2, 0, -3}, {3, 12, 3});
+    maker.box({-3, 0, -4}, {3, 12, -3});
+    maker.box({-3, 0, 3}, {3, 12, 4});
+    Climber bot;
+    const auto run = play(maker.finish(), bot, {.most_seconds = 10});
+    ASSERT_TRUE(run);
+    EXPECT_GT(bot.highest, 3.5);
+    EXPECT_EQ(run->telemetry.count(Incident::Kind::stuck), 0U);
+}
+
 TEST(Telemetry, counts_deaths_by_section_and_failed_jumps) {
     test::LevelMaker maker;
     maker.clear();
