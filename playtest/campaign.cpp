@@ -8,8 +8,8 @@
 #include <optional>
 #include <thread>
 
-#include "playtest/explorer.hpp"
-#include "playtest/navigator.hpp"
+#include "playtest/bots/explorer.hpp"
+#include "playtest/bots/navigator.hpp"
 
 namespace surefoot::playtest {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "playtest/atlas.hpp"
+#include "playtest/bots/atlas.hpp"
 #include "playtest/run.hpp"
 
 namespace surefoot::playtest {

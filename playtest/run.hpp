@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "game/recording.hpp"
-#include "playtest/bot.hpp"
+#include "playtest/bots/bot.hpp"
 #include "playtest/telemetry.hpp"
 
 namespace surefoot::playtest {

@@ -10,7 +10,7 @@
 #include "command.hpp"
 #include "game/whole_file.hpp"
 #include "playtest/campaign.hpp"
-#include "playtest/report.hpp"
+#include "playtest/report/report.hpp"
 #include "progress.hpp"
 #include "text.hpp"
 

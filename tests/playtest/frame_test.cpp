@@ -1,4 +1,4 @@
-#include "playtest/frame.hpp"
+#include "playtest/report/frame.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 
 #include "made_levels.hpp"
 #include "page_parts.hpp"
-#include "playtest/exhibit.hpp"
+#include "playtest/report/exhibit.hpp"
 
 namespace surefoot::playtest {
 namespace {

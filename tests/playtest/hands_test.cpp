@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "made_levels.hpp"
-#include "playtest/explorer.hpp"
+#include "playtest/bots/explorer.hpp"
 
 namespace surefoot::playtest {
 namespace {

@@ -1,4 +1,4 @@
-#include "playtest/incident_groups.hpp"
+#include "playtest/report/incident_groups.hpp"
 
 #include <gtest/gtest.h>
 

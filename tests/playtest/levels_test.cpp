@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-#include "playtest/navigator.hpp"
+#include "playtest/bots/navigator.hpp"
 #include "playtest/run.hpp"
 
 namespace surefoot::playtest {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "level_maker.hpp"
-#include "playtest/atlas.hpp"
-#include "playtest/navigator.hpp"
+#include "playtest/bots/atlas.hpp"
+#include "playtest/bots/navigator.hpp"
 #include "playtest/run.hpp"
 
 namespace surefoot::test {

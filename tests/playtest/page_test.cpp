@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "game/level.hpp"
-#include "playtest/atlas.hpp"
-#include "playtest/navigator.hpp"
+#include "playtest/bots/atlas.hpp"
+#include "playtest/bots/navigator.hpp"
 #include "playtest/run.hpp"
 
 namespace {

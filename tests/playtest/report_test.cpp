@@ -1,4 +1,4 @@
-#include "playtest/report.hpp"
+#include "playtest/report/report.hpp"
 
 #include <algorithm>
 #include <filesystem>

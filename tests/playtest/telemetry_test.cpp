@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "made_levels.hpp"
+#include "playtest/bots/explorer.hpp"
 #include "playtest/campaign.hpp"
-#include "playtest/explorer.hpp"
-#include "playtest/report.hpp"
+#include "playtest/report/report.hpp"
 
 namespace surefoot::playtest {
 namespace {

@@ -1,7 +1,7 @@
 #include "platformer/play/pilot.hpp"
 
-#include "playtest/atlas.hpp"
-#include "playtest/navigator.hpp"
+#include "playtest/bots/atlas.hpp"
+#include "playtest/bots/navigator.hpp"
 
 namespace surefoot::platformer {
 namespace {

@@ -9,8 +9,8 @@
 #include "camera_watch.hpp"
 #include "game/game.hpp"
 #include "platformer/play/followed.hpp"
-#include "playtest/explorer.hpp"
-#include "playtest/navigator.hpp"
+#include "playtest/bots/explorer.hpp"
+#include "playtest/bots/navigator.hpp"
 
 namespace surefoot::platformer::tests {
 namespace {

@@ -1,6 +1,6 @@
 // Somebody is tested: forms, the observer's keys, and a folder that the report reads.
 #include "game/whole_file.hpp"
-#include "playtest/report.hpp"
+#include "playtest/report/report.hpp"
 #include "playtest/run.hpp"
 #include "theatre_things.hpp"
 
