@@ -15,6 +15,7 @@ constexpr int tries_for_key = 40;
 constexpr int tries_for_coin = 2;
 constexpr int thoughts_a_try = 4;  // at most
 constexpr int reaction = 9;        // ticks
+constexpr int longest_held = 100;  // against something, on foot [ticks]
 constexpr int longest_hang = 75;   // on an edge, without getting up [ticks]
 constexpr int between_plans = 20;  // that found no way [ticks]
 
@@ -122,7 +123,26 @@ game::HeroInput Navigator::decide(const game::Game& game) {
                 break;
         }
     }
-    return hands_.act(let_go(game, intent));
+    return hands_.act(let_go(game, shake_loose(game, intent)));
+}
+
+// Who walks and gets nowhere jumps, this way and that, as anybody would.
+Intent Navigator::shake_loose(const game::Game& game, const Intent& intent) {
+    const bool walks = phase_ == Phase::walks || phase_ == Phase::thinks;
+    if (shakes_for_ == 0 && (!walks || length(intent.move) < 0.3 || length(game.feet() - held_at_) > 0.4)) {
+        held_at_ = game.feet();
+        held_for_ = 0;
+        return intent;
+    }
+    if (shakes_for_ == 0 && ++held_for_ < longest_held) return intent;
+    if (shakes_for_ == 0) {
+        held_for_ = 0;
+        shakes_for_ = dice_.whole(30, 60);
+        const double turn = dice_.in(0, 6.283185307179586);
+        shakes_to_ = {std::sin(turn), 0, std::cos(turn)};
+    }
+    --shakes_for_;
+    return {.move = shakes_to_, .jump = shakes_for_ % 30 > 10};
 }
 
 // Who hangs on an edge and does not get over it lets go of it.

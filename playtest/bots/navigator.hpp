@@ -66,6 +66,7 @@ private:
     [[nodiscard]] bool leads_on(const Stand& from) const;
     [[nodiscard]] Intent find_back(const game::Game& game);
     [[nodiscard]] Intent save_oneself(const game::Game& game);
+    [[nodiscard]] Intent shake_loose(const game::Game& game, const Intent& intent);
     [[nodiscard]] Intent let_go(const game::Game& game, const Intent& intent);
     [[nodiscard]] Intent mind(const game::Game& game, const Intent& intent);
     void fail(const game::Game& game);
@@ -107,10 +108,14 @@ private:
     int phase_ticks_ = 0;
     int stands_for_ = 0;  ///< ticks on what it hopped to
     int style_turn_ = 0;
-    int save_for_ = 0;    ///< a jump in the air [ticks]
-    int wet_for_ = 0;     ///< ticks under water on what was to be a walk
-    int think_in_ = 0;    ///< ticks until it plans again
-    int thoughts_ = 0;    ///< of going for the same pickup, one after the other
+    int save_for_ = 0;  ///< a jump in the air [ticks]
+    int wet_for_ = 0;   ///< ticks under water on what was to be a walk
+    int think_in_ = 0;  ///< ticks until it plans again
+    int thoughts_ = 0;  ///< of going for the same pickup, one after the other
+    int held_for_ = 0;  ///< by something, on foot [ticks]
+    dvec3 held_at_{0, 0, 0};
+    int shakes_for_ = 0;  ///< ticks
+    dvec3 shakes_to_{0, 0, 0};
     int hangs_for_ = 0;   ///< ticks
     double hung_at_ = 0;  ///< height of the feet in the last tick [m]
     int lost_for_ = 0;    ///< ticks without ground of the mesh
