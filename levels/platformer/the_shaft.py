@@ -192,7 +192,6 @@ def the_pit(k):
     k.way(9.6, (13.6, 1.0, 0.93), "wall_jump", across=1.0, up=-5.2)
     k.coins(7.6, 7.6, 3, across0=1.0, up=0.6, up1=-3.6)
     k.coins(9.8, 11, 3, across0=1.0, up=-2.6, up1=1.4)
-    k.camera(6.3, 13, 5, 11, pitch=28, distance=6.0, up=-5.4)
     k.crystal(15.6, -1.4, size=1.0, up=0.87)
     windows(k, (4.4, 2.4), (15, 3.4))
     k.go(19, up=0.9)
