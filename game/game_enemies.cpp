@@ -6,6 +6,7 @@
 #include <surefoot/hitboxes.hpp>
 #include <surefoot/pair.hpp>
 
+#include "game/enemy_habits.hpp"
 #include "game/game.hpp"
 #include "game/minds.hpp"
 #include "game/vectors.hpp"
@@ -13,30 +14,12 @@
 namespace surefoot::game {
 namespace {
 
-constexpr double notice_time = 0.5;     // it shows that it saw somebody before it comes [s]
-constexpr double forget_time = 3;       // without a sight of the hero [s]
-constexpr double stun_time = 1;         // after it has hit somebody [s]
-constexpr double leap_from = 4;         // a jumper leaps at who is so near [m]
-constexpr double reload_time = 1.8;     // [s]
-constexpr double bullet_speed = 11;     // [m/s]
-constexpr double bullet_life = 4;       // [s]
-constexpr double bullet_radius = 0.12;  // [m]
-constexpr double sleeps_from = 60;      // who is calm so far from the hero stands still: nobody sees it [m]
-constexpr double stomp_bounce = 8;      // [m/s]
+constexpr double forget_time = 3;   // without a sight of the hero [s]
+constexpr double sleeps_from = 60;  // who is calm so far from the hero stands still: nobody sees it [m]
+constexpr double stomp_bounce = 8;  // [m/s]
 
 double speed_of(EnemyKind kind, Enemy::Mood mood) {
-    const bool hunts = mood == Enemy::Mood::hunts;
-    switch (kind) {
-        case EnemyKind::chaser:
-            return hunts ? 4.6 : 2.5;
-        case EnemyKind::patroller:
-            return hunts ? 4 : 2;
-        case EnemyKind::jumper:
-            return hunts ? 4 : 2.5;
-        case EnemyKind::shooter:
-            break;
-    }
-    return 0;
+    return enemy_speed(kind, mood == Enemy::Mood::hunts);
 }
 
 Cause cause_of(EnemyKind kind) {
@@ -107,7 +90,7 @@ void Game::move_enemies() {
             if (plan.kind == EnemyKind::jumper && enemy.reload > reload_time - 0.9 && far < 2 * leap_from) {
                 input.jump = true;
                 const dvec3 way = flat(hero - enemy.body.position);
-                if (length(way) > 0.1) input.wish = way * (5.5 / length(way));
+                if (length(way) > 0.1) input.wish = way * (leap_speed / length(way));
             }
         } else if (minds_ && (enemy.mood == Enemy::Mood::calm || enemy.mood == Enemy::Mood::returns)) {
             const bool walks_round = plan.route.size() > 1 && enemy.mood == Enemy::Mood::calm;

@@ -4,6 +4,7 @@
 
 #include <surefoot/pair.hpp>
 
+#include "game/enemy_habits.hpp"
 #include "game/minds.hpp"
 #include "playtest/vectors.hpp"
 
@@ -12,14 +13,14 @@ namespace {
 
 using Mood = game::Enemy::Mood;
 
-// As a player knows them from having met them: the same as in the rules, which do not tell.
-constexpr double notice_time = 0.5;   // s
-constexpr double leap_from = 4;       // m
-constexpr double leap_speed = 5.5;    // m/s
-constexpr double reload_time = 1.8;   // s
-constexpr double shot_speed = 11;     // m/s
-constexpr double shot_life = 4;       // s
-constexpr double shot_radius = 0.12;  // m
+// Enemies as a player knows them from having met them.
+using game::bullet_life;
+using game::bullet_radius;
+using game::bullet_speed;
+using game::leap_from;
+using game::leap_speed;
+using game::notice_time;
+using game::reload_time;
 
 constexpr double comes_near = 16;    // who is farther from the hero is of no concern yet [m]
 constexpr double seen_after = 0.15;  // nobody dodges a shot that has only just been fired [s]
@@ -29,15 +30,9 @@ constexpr double ledge = 1.2;        // who walks does not step down farther [m]
 constexpr double steps_within = 6;   // of the hero, it is moved as it will be, and not only roughly [m]
 constexpr int between_looks = 12;    // ticks
 
-double speed_of(game::EnemyKind kind, bool hunts) {
-    if (kind == game::EnemyKind::chaser) return hunts ? 4.6 : 2.5;
-    if (kind == game::EnemyKind::patroller) return hunts ? 4 : 2;
-    return hunts ? 4 : 2.5;
-}
-
 // How far a shot flies until something still is in its way [s].
 double life_of(const World& world, const Shot& shot, double most) {
-    const auto hit = world.sweep(Sphere{shot_radius}, {shot.place, shot.place + shot.velocity * most});
+    const auto hit = world.sweep(Sphere{bullet_radius}, {shot.place, shot.place + shot.velocity * most});
     return hit ? hit->t * most : most;
 }
 
@@ -70,7 +65,7 @@ void Threats::look(const game::Game& game) {
         const dvec3 to_hero = hero - bullet.place;
         if (bullet.age < seen_after || dot(to_hero, bullet.velocity) < 0) continue;
         Shot shot{.place = bullet.place, .velocity = bullet.velocity};
-        shot.left = life_of(game.world(), shot, std::min(2.0, shot_life - bullet.age));
+        shot.left = life_of(game.world(), shot, std::min(2.0, bullet_life - bullet.age));
         shots_.push_back(shot);
     }
 }
@@ -105,7 +100,7 @@ void Threats::move(const World& world, const game::Hero& hero, const dvec3& feet
     }
     if (foe.mood == Mood::notices && foe.since >= notice_time) become(Mood::hunts);
     if (foe.mood == Mood::hunts && length(foe.body.position - plan.feet) > plan.leash) become(Mood::returns);
-    if (foe.mood == Mood::stunned && foe.since > 1) become(Mood::returns);
+    if (foe.mood == Mood::stunned && foe.since > game::stun_time) become(Mood::returns);
     if (plan.kind != game::EnemyKind::shooter) walk(world, hero, feet, foe);
 }
 
@@ -115,8 +110,8 @@ void Threats::shoot(const World& world, const game::Hero& hero, Foe& foe) {
     if (foe.mood != Mood::hunts || foe.reload > 0 || far > level_->enemies[foe.plan].sight) return;
     if (world.ray_any({eye, hero.body.position})) return;
     foe.reload = reload_time;
-    const dvec3 aim = hero.body.position + hero.body.velocity * (0.5 * far / shot_speed);
-    Shot shot{.place = eye, .velocity = unit(aim - eye) * shot_speed};
+    const dvec3 aim = hero.body.position + hero.body.velocity * (0.5 * far / bullet_speed);
+    Shot shot{.place = eye, .velocity = unit(aim - eye) * bullet_speed};
     shot.left = life_of(world, shot, 2);
     shots_.push_back(shot);
 }
@@ -131,7 +126,7 @@ void Threats::walk(const World& world, const game::Hero& hero, const dvec3& feet
         const bool rounds = plan.route.size() > 1 && foe.mood == Mood::calm;
         const dvec3 to = hunts ? feet : rounds ? plan.route[foe.stop % plan.route.size()] : plan.feet;
         const dvec3 way = flat(to - foe.body.position);
-        if (length(way) > 0.6 || hunts) input.wish = unit(way) * speed_of(plan.kind, hunts);
+        if (length(way) > 0.6 || hunts) input.wish = unit(way) * game::enemy_speed(plan.kind, hunts);
         if (length(way) <= 0.6 && rounds) ++foe.stop;
     }
     const double far = length(hero.body.position - foe.body.position);
@@ -183,7 +178,8 @@ Threats::Meeting Threats::meet(const game::Hero& hero, const dvec3& feet, double
         const double high = crouched ? 0.2 : 0.5;
         dvec3 nearest = at;
         nearest.y += std::clamp(shot.place.y - at.y, low, high);
-        if (length(shot.place - nearest) < 0.24 + shot_radius + shot_room && hero.safe_for <= 0) return Meeting::harmed;
+        if (length(shot.place - nearest) < 0.24 + bullet_radius + shot_room && hero.safe_for <= 0)
+            return Meeting::harmed;
     }
     return Meeting::nothing;
 }
