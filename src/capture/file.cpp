@@ -1,16 +1,25 @@
 #include <surefoot/capture.hpp>
 #include <surefoot/whole_file.hpp>
 
+#include "capture/writer.hpp"
 #include "platform/bytes.hpp"
 
 namespace surefoot {
+
+namespace internal {
+
+Expected<void> write_text(std::string_view text, const std::string& path) {
+    return write_whole_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace internal
+
 inline namespace v0 {
 
 using namespace internal;
 
 Expected<void> write_capture(const Capture& capture, const std::string& path) {
-    const std::string text = capture_text(capture);
-    return write_whole_file(path, std::as_bytes(std::span(text)));
+    return write_text(capture_text(capture), path);
 }
 
 Expected<Capture> read_capture(const std::string& path) {

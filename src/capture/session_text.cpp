@@ -1,6 +1,5 @@
 // The file of a session, written and read. docs/capture.md tells its form.
 #include <surefoot/capture_session.hpp>
-#include <surefoot/whole_file.hpp>
 
 #include "capture/fields_text.hpp"
 #include "ieee_guard.hpp"
@@ -138,8 +137,7 @@ std::string session_text(const Session& session) {
 }
 
 Expected<void> write_session(const Session& session, const std::string& path) {
-    const std::string text = session_text(session);
-    return write_whole_file(path, std::as_bytes(std::span(text)));
+    return write_text(session_text(session), path);
 }
 
 Expected<Session> parse_session(std::string_view text, std::string_view file) {

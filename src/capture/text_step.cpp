@@ -1,6 +1,5 @@
 // The writer of a step. docs/capture.md tells the form; parse_step.cpp reads it.
 #include <surefoot/capture_step.hpp>
-#include <surefoot/whole_file.hpp>
 
 #include "capture/fields_text.hpp"
 #include "ieee_guard.hpp"
@@ -39,8 +38,7 @@ std::string capture_text(const StepCapture& capture) {
 }
 
 Expected<void> write_capture(const StepCapture& capture, const std::string& path) {
-    const std::string text = capture_text(capture);
-    return write_whole_file(path, std::as_bytes(std::span(text)));
+    return write_text(capture_text(capture), path);
 }
 
 }  // namespace v0

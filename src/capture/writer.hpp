@@ -53,6 +53,9 @@ void write_poses(Writer& w, std::uint32_t body, const Pose& start, const Pose& e
 void write_origin(Writer& w, std::string_view kind, std::uint32_t form, const CaptureOrigin& origin,
                   std::string_view note);
 
+/// Replaces the file in one step.
+[[nodiscard]] Expected<void> write_text(std::string_view text, const std::string& path);
+
 /// One a line.
 template <typename T, typename Write>
 void write_list(Writer& w, std::string_view name, const std::vector<T>& list, const Write& write) {
