@@ -8,10 +8,6 @@
 namespace surefoot::view {
 namespace {
 
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
-}
-
 // How much nearer to the eye it counts as than it is, so that it lies on what it lies on.
 constexpr float lift = 0.004F;
 
@@ -56,11 +52,11 @@ DiscPass::DiscPass()
     : program_("disc", disc_vertex, disc_fragment), array_(gl::VertexArray::make()), buffer_(gl::Buffer::make()) {
     glBindVertexArray(array_.id());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, place)));
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, side)));
-    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, other)));
-    glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, colour)));
-    glVertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, core)));
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, place)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, side)));
+    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, other)));
+    glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, colour)));
+    glVertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, core)));
     for (GLuint attribute = 0; attribute < 5; ++attribute) {
         glEnableVertexAttribArray(attribute);
         glVertexAttribDivisor(attribute, 1);

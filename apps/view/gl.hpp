@@ -106,6 +106,11 @@ private:
 /// A framebuffer over these; either may be none.
 [[nodiscard]] Framebuffer framebuffer_of(const Texture* colour, const Texture* depth);
 
+/// A place in a buffer, as the calls want it that once took a pointer.
+[[nodiscard]] inline const void* offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
+
 /// Replaces the content of a buffer, for what changes with every frame.
 void stream(const Buffer& buffer, const void* bytes, std::size_t size);
 

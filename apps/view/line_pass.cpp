@@ -8,10 +8,6 @@
 namespace surefoot::view {
 namespace {
 
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
-}
-
 // How much nearer to the eye a line counts as than it is, so that it lies on the surface that it runs along.
 constexpr float lift = 0.0015F;
 
@@ -23,10 +19,10 @@ LinePass::LinePass()
       buffer_(gl::Buffer::make()) {
     glBindVertexArray(array_.id());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Line), offset(offsetof(Line, from)));
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Line), offset(offsetof(Line, to)));
-    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(Line), offset(offsetof(Line, from_width)));
-    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Line), offset(offsetof(Line, colour)));
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Line), gl::offset(offsetof(Line, from)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Line), gl::offset(offsetof(Line, to)));
+    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(Line), gl::offset(offsetof(Line, from_width)));
+    glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Line), gl::offset(offsetof(Line, colour)));
     for (const GLuint attribute : {0U, 1U, 2U, 3U}) {
         glEnableVertexAttribArray(attribute);
         glVertexAttribDivisor(attribute, 1);

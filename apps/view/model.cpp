@@ -35,10 +35,6 @@ std::int8_t small(float x) {
     return static_cast<std::int8_t>(std::lround(std::clamp(x, -1.0F, 1.0F) * 127));
 }
 
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
-}
-
 template <typename T>
 void fill(GLenum target, const gl::Buffer& buffer, const std::vector<T>& values) {
     glBindBuffer(target, buffer.id());
@@ -144,9 +140,9 @@ void Model::upload() {
     colours_ = gl::Buffer::make();
     glBindVertexArray(array_.id());
     fill(GL_ARRAY_BUFFER, vertices_, vertices);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
-    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
-    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, sizeof(Vertex), offset(offsetof(Vertex, info)));
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), gl::offset(offsetof(Vertex, position)));
+    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), gl::offset(offsetof(Vertex, normal)));
+    glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, sizeof(Vertex), gl::offset(offsetof(Vertex, info)));
     glBindBuffer(GL_ARRAY_BUFFER, colours_.id());
     glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
     for (const GLuint attribute : {0U, 1U, 2U, 3U}) glEnableVertexAttribArray(attribute);
@@ -175,11 +171,11 @@ void Model::upload_shared(const std::vector<Finish>& finishes, const std::vector
     glBindVertexArray(shared_array_.id());
     fill(GL_ARRAY_BUFFER, shared_vertices_, shared.vertices());
     fill(GL_ELEMENT_ARRAY_BUFFER, shared_indices_, shared.indices());
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), offset(offsetof(Vertex, position)));
-    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, normal)));
-    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), offset(offsetof(Vertex, colour)));
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), gl::offset(offsetof(Vertex, position)));
+    glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, sizeof(Vertex), gl::offset(offsetof(Vertex, normal)));
+    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), gl::offset(offsetof(Vertex, colour)));
     glVertexAttribIPointer(4, 1, GL_BYTE, sizeof(Vertex),
-                           offset(offsetof(Vertex, normal) + offsetof(SmallNormal, pattern)));
+                           gl::offset(offsetof(Vertex, normal) + offsetof(SmallNormal, pattern)));
     for (const GLuint attribute : {0U, 1U, 2U, 4U}) glEnableVertexAttribArray(attribute);
     glBindVertexArray(0);
 }
@@ -228,7 +224,7 @@ std::size_t Model::draw_chunks(const Frustum& seen, const gl::vec3& eye, bool wi
             glDrawArrays(GL_TRIANGLES, 3 * chunk->first, 3 * chunk->count);
         } else {
             glDrawElements(GL_TRIANGLES, 3 * chunk->count, GL_UNSIGNED_INT,
-                           offset(3 * sizeof(std::uint32_t) * static_cast<std::size_t>(chunk->first)));
+                           gl::offset(3 * sizeof(std::uint32_t) * static_cast<std::size_t>(chunk->first)));
         }
         drawn += static_cast<std::size_t>(chunk->count);
     }

@@ -112,7 +112,7 @@ void main() {
 
 void attribute(GLuint index, GLint count, GLenum type, std::size_t offset) {
     glVertexAttribPointer(index, count, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, sizeof(CanvasItem),
-                          reinterpret_cast<const void*>(offset));
+                          gl::offset(offset));
     glEnableVertexAttribArray(index);
     glVertexAttribDivisor(index, 1);
 }

@@ -14,10 +14,6 @@
 namespace surefoot::view {
 namespace {
 
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
-}
-
 ShapeMesh unit_mesh(Solid solid, int around) {
     switch (solid) {
         case Solid::ball:
@@ -70,16 +66,16 @@ PiecePass::SolidMesh PiecePass::make_mesh(Solid solid, std::size_t detail) const
                  shape.vertices.data(), GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(ShapeMesh::Vertex), nullptr);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(ShapeMesh::Vertex),
-                          offset(offsetof(ShapeMesh::Vertex, normal)));
+                          gl::offset(offsetof(ShapeMesh::Vertex, normal)));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.id());
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.indices.size() * sizeof(shape.indices[0])),
                  shape.indices.data(), GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.id());
     for (GLuint row = 0; row < 3; ++row)
         glVertexAttribPointer(2 + row, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                              offset(offsetof(Instance, rows) + row * sizeof(gl::vec4)));
-    glVertexAttribPointer(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance), offset(offsetof(Instance, colour)));
-    glVertexAttribPointer(6, 1, GL_FLOAT, GL_FALSE, sizeof(Instance), offset(offsetof(Instance, glow)));
+                              gl::offset(offsetof(Instance, rows) + row * sizeof(gl::vec4)));
+    glVertexAttribPointer(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance), gl::offset(offsetof(Instance, colour)));
+    glVertexAttribPointer(6, 1, GL_FLOAT, GL_FALSE, sizeof(Instance), gl::offset(offsetof(Instance, glow)));
     for (GLuint attribute = 0; attribute < 7; ++attribute) {
         glEnableVertexAttribArray(attribute);
         if (attribute >= 2) glVertexAttribDivisor(attribute, 1);

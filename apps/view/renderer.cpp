@@ -93,7 +93,7 @@ Renderer::Parts::Parts()
     glBindBuffer(GL_ARRAY_BUFFER, flat_buffer.id());
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FlatVertex), nullptr);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(FlatVertex),
-                          reinterpret_cast<const void*>(offsetof(FlatVertex, colour)));
+                          gl::offset(offsetof(FlatVertex, colour)));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
     glBindVertexArray(0);
