@@ -21,10 +21,6 @@ constexpr double most_ahead = 1.3;   // [m]
 constexpr double drop_depth = 2.2;   // an edge with less below is none to look down from [m]
 constexpr double drop_dip = 0.26;    // [rad]
 
-dvec3 flat(const dvec3& v) {
-    return {v.x, 0, v.z};
-}
-
 void turn(CameraState& s, const CameraTarget& target, const CameraSettings& settings, const CameraInput& input,
           const std::optional<CameraHint>& hint, double dt) {
     const bool turned_by_player = input.turn_left != 0 || input.turn_up != 0;

@@ -42,10 +42,6 @@ constexpr double fastest_crouch = 4;     // [m/s]
 constexpr double lowest = -1.0;          // that it stands while it seeks [rad]
 constexpr double highest = 1.3;
 
-dvec3 flat(const dvec3& v) {
-    return {v.x, 0, v.z};
-}
-
 /// Where the eye stands about the hero: what is wished, and what was added to see better.
 Vantage vantage_of(const CameraState& s) {
     return {s.yaw, std::clamp(s.pitch + s.dip + s.rise, lowest, highest)};
@@ -66,15 +62,20 @@ dvec3 upright(const dvec3& forward) {
     return {forward.x * flatten, std::copysign(steepest, forward.y), forward.z * flatten};
 }
 
+/// Where the head would be so much later, if it went on as it does; who stands rises no further [s].
+dvec3 head_soon(const CameraTarget& target, const dvec3& head, double soon) {
+    const dvec3 course = target.velocity - target.carried;
+    return head + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * soon;
+}
+
 /// How much of the way is allowed, now and where the hero will be soon.
 Sight look_ahead(const CameraScene& scene, const CameraTarget& target, const dvec3& anchor, const dvec3& way,
                  double slight, const WorldQuery& query) {
     const double length = glm::length(way);
     const dvec3 direction = way / length;
     Sight sight = look_back(scene.world, anchor, direction, length, slight, query);
-    const dvec3 course = target.velocity - target.carried;
     for (const double soon : {0.10, 0.22, 0.36}) {
-        const dvec3 step_to = anchor + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * soon;
+        const dvec3 step_to = head_soon(target, anchor, soon);
         if (glm::length(step_to - anchor) < 0.05) continue;
         const dvec3 there = anchor + (step_to - anchor) * sight_share(scene.world, anchor, step_to, slight, query);
         const Sight then = look_back(scene.world, there, direction, length, slight, query);
@@ -248,8 +249,7 @@ void place_eye(CameraState& s, const CameraScene& scene, const CameraTarget& tar
     s.narrow += (narrowness(s, scene, anchor, query) - s.narrow) * (at_once ? 1 : eased(1.5, dt));
     // One wall beside the hero changes little, two are a corridor.
     const double distance = s.distance * (1 - corridor_share * s.narrow * s.narrow);
-    const dvec3 course = target.velocity - target.carried;
-    const dvec3 step_to = anchor + dvec3(course.x, target.on_ground ? 0 : 0.5 * course.y, course.z) * 0.25;
+    const dvec3 step_to = head_soon(target, anchor, 0.25);
     const double slight = slight_of(s);
     const double free = sight_share(scene.world, anchor, step_to, slight, query);
     const Surroundings around{.world = scene.world,

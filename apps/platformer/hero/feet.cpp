@@ -42,10 +42,6 @@ void swing_to(Foot& foot, const Walk& walk, const dvec3& target, double share, d
     foot.toes = height * (share < 0.5 ? 5.5 : -2.0) * std::sin(2 * std::numbers::pi * std::min(share, 1 - share));
 }
 
-dvec3 flat(const dvec3& v) {
-    return {v.x, 0, v.z};
-}
-
 }  // namespace
 
 Feet advance(const Feet& feet, const Walk& walk, double dt) {

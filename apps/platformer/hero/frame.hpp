@@ -51,6 +51,11 @@ struct Frame {
     return {by.x, 0, 0, 0, by.y, 0, 0, 0, by.z};
 }
 
+/// Without what it rises.
+[[nodiscard]] inline dvec3 flat(const dvec3& v) {
+    return {v.x, 0, v.z};
+}
+
 /// Where a figure looks that is turned by `facing` about up [rad].
 [[nodiscard]] inline dvec3 forward_of(double facing) {
     return {std::sin(facing), 0, std::cos(facing)};

@@ -6,16 +6,13 @@
 #include <variant>
 
 #include "platformer/hero/act.hpp"
+#include "platformer/hero/frame.hpp"
 
 namespace surefoot::platformer {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double image_pause = 0.045;  // between two after-images [s]
-
-dvec3 flat(const dvec3& v) {
-    return {v.x, 0, v.z};
-}
 
 double yaw_of(const dvec3& direction) {
     return std::atan2(direction.x, direction.z);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+
+#include <surefoot/pose.hpp>
 
 namespace surefoot::platformer {
 namespace {
@@ -33,11 +34,7 @@ std::shared_ptr<const view::Model> model_of(const game::Level& level, const Mesh
 /// that wander over the surface.
 void draw_water(view::Renderer& renderer, const game::Zone& water, double seconds) {
     const auto at = [&](double x, double y, double z) {
-        const dvec3 p = dvec3(x, y, z) * water.half;
-        const dquat& q = water.orientation;
-        const dvec3 v(q.x, q.y, q.z);
-        const dvec3 t = 2.0 * glm::cross(v, p);
-        return water.middle + p + q.w * t + glm::cross(v, t);
+        return to_world(Pose{water.middle, water.orientation}, dvec3(x, y, z) * water.half);
     };
     const auto face = [&](const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, view::Colour colour) {
         renderer.triangle(a, b, c, colour);

@@ -139,7 +139,7 @@ void Run::tick(const Asked& asked, const CameraSettings& settings) {
 
 /// The hero is seen whatever is before them, and leaves that are close to the eye are not in the way.
 view::ScreenDoor Run::door(double blend) const {
-    const double height = followed(*game_, 0).half_height;
+    const double height = half_height_of(game_->settings(), game_->hero().body.form);
     const dvec3 before = camera_before_.target;
     const bool was_put = glm::length(camera_.target - before) > teleport_distance;
     return {.middle = was_put ? camera_.target : before + (camera_.target - before) * blend,
